@@ -33,6 +33,7 @@
 #include <memory> // For std::unique_ptr
 
 class vtkRenderer;
+class vtkSSAOView;
 
 class VTKSSAOPASS_EXPORT vtkScreenSpaceAmbientOcclusionPass : public vtkImageProcessingPass
 {
@@ -113,7 +114,7 @@ public:
 
   ///@{
   /**
-   * Number of sample points per pixel. Range [1, 256], default 32. A value out of range is
+   * Number of sample points per pixel. Range [1, 1024], default 32. A value out of range is
    * refused with an error.
    */
   void SetKernelSize(int size);
@@ -283,6 +284,22 @@ private:
 
   class Pipeline;
   std::unique_ptr<Pipeline> Stages;
+
+  // Render() in the order of the pipeline.
+  void RenderScene(const vtkRenderState* s);
+  int RenderOpaqueWithOcclusion(const vtkRenderState* s);
+  bool CaptureSurfaces(const vtkRenderState* s, const vtkSSAOView& view);
+  bool ComputeOcclusion(const vtkSSAOView& view);
+  bool RemoveNoise(const vtkSSAOView& view);
+  bool ModulateLight(const vtkSSAOView& view);
+  void DisplayBuffers(const vtkRenderState* s);
+
+  bool NeedsBuffers() const;
+  void UpdateEffectiveRadius(vtkRenderer* renderer);
+  void WarnOnce(const char* reason);
+  void SetQuality(int kernelSize);
+  template <typename Value>
+  void SetInRange(const char* name, Value& variable, double value, double low, double high);
 };
 
 #endif

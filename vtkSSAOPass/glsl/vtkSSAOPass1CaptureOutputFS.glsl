@@ -1,0 +1,46 @@
+  // Stage 1, when the colour is final: write what the later stages need. Blending is on while VTK
+  // draws, with each output's own alpha: the geometry is replaced (1) or kept (0), light is blended
+  // as the colour is.
+#if defined(SSAO_LIT)
+  {
+    float ssaoAlpha = gl_FragData[0].a;
+    vec3 ssaoColor = gl_FragData[0].rgb;
+#if defined(SSAO_PBR)
+    // Negative: the light is linear and the picture holds it encoded.
+    vec3 ssaoStored = ssaoOccludableWeights.z > 0.5 ? ssaoColor : -ssaoLit;
+    vec3 ssaoPart = ssaoOccludableWeights.z > 0.5 ? ssaoColor : ssaoOccludable;
+#else
+    // What textures did to the colour they did to its parts.
+    vec3 ssaoTexture = ssaoColor / max(ssaoLit, vec3(1.0e-20));
+    vec3 ssaoStored = ssaoColor;
+    vec3 ssaoPart = ssaoOccludableWeights.z > 0.5 ? ssaoColor : ssaoOccludable * ssaoTexture;
+#endif
+#if defined(SSAO_EDGES)
+    ssaoPart *= 1.0 - emix;
+#endif
+#if defined(SSAO_SPRITE)
+    float ssaoDepth = ssaoDepthOfWindow(gl_FragDepth, ssaoDepthOfWindowRows);
+#else
+    float ssaoDepth = -vertexVC.z;
+#endif
+    vec3 ssaoViewer = ssaoTowardsViewer(vertexVC.xyz, ssaoPerspective);
+    vec3 ssaoNormal = normalVCVSOutput;
+#if defined(SSAO_IMPOSTOR)
+    vec3 ssaoFacet = ssaoNormal;
+#else
+    vec3 ssaoFacet = dot(ssaoFacetVC, ssaoFacetVC) > 0.0 ? normalize(ssaoFacetVC) : ssaoNormal;
+#endif
+    ssaoFacet = dot(ssaoFacet, ssaoViewer) < 0.0 ? -ssaoFacet : ssaoFacet;
+    ssaoNormal = dot(ssaoNormal, ssaoNormal) > 0.25 ? ssaoNormal : ssaoFacet;
+    ssaoNormal = dot(ssaoNormal, ssaoFacet) < 0.0 ? -ssaoNormal : ssaoNormal;
+    gl_FragData[1] = vec4(ssaoDepth, ssaoPackNormal(normalize(ssaoNormal)),
+      ssaoPackNormal(ssaoFacet), ssaoAlpha < 1.0 ? 0.0 : 1.0);
+    gl_FragData[2] = vec4(ssaoPart, ssaoAlpha);
+    gl_FragData[3] = vec4(ssaoStored, ssaoAlpha);
+  }
+#else
+  // Nothing ambient to occlude: no depth, no occludable light.
+  gl_FragData[1] = vec4(0.0, 0.0, 0.0, gl_FragData[0].a < 1.0 ? 0.0 : 1.0);
+  gl_FragData[2] = vec4(0.0, 0.0, 0.0, gl_FragData[0].a);
+  gl_FragData[3] = gl_FragData[0];
+#endif

@@ -1,0 +1,34 @@
+// Stage 2, estimator Hemisphere: Chapman, "SSAO Tutorial" (2013), as in LearnOpenGL, "SSAO". Points
+// in the hemisphere above the surface are hidden where the captured surface lies in front of them.
+//   pixel    position in the framebuffer
+//   center   the geometry there: (depth, packed normal, packed facet normal, 1)
+// Returns the visible share, 1 open. Sample points outside the viewport or behind the eye leave the
+// divisor: nothing is known of them.
+float ssaoVisibility(vec2 pixel, vec4 center)
+{
+  vec3 positionVC =
+    ssaoPositionVC(pixel, center.x, pixelToRay, rayOffset, depthSlope, perspective);
+  vec3 normal = ssaoUnpackNormal(center.y);
+  vec3 tangent = ssaoTangent(normal, ssaoRotationAt(pixel));
+  vec3 bitangent = cross(normal, tangent);
+  float slope = ssaoHalfPixelSlope(positionVC, normal, vec2(pixelToRay.x, pixelToRay.z),
+    vec2(pixelToRay.y, pixelToRay.w), perspective, radius);
+  float inFront = bias + float(1.5) * slope;
+  float hidden = float(0.0);
+  float counted = float(0.0);
+  for (int i = 0; i < kernelSize; ++i)
+  {
+    vec3 point = ssaoKernelAt(i);
+    vec3 sampleVC =
+      positionVC + (tangent * point.x + bitangent * point.y + normal * point.z) * radius;
+    vec2 samplePixel = ssaoPixelOf(sampleVC, rayToPixel, rayOffset, depthSlope, perspective);
+    bool known = (sampleVC.z < float(0.0) || perspective < float(0.5)) &&
+      samplePixel.x >= viewport.x && samplePixel.y >= viewport.y &&
+      samplePixel.x < viewport.x + viewport.z && samplePixel.y < viewport.y + viewport.w;
+    float depth = ssaoGeometryAt(samplePixel).x;
+    bool behind = depth > float(0.0) && depth <= -sampleVC.z - inFront;
+    counted += known ? float(1.0) : float(0.0);
+    hidden += known && behind ? ssaoRangeCheck(center.x - depth, radius) : float(0.0);
+  }
+  return float(1.0) - hidden / max(counted, float(1.0));
+}

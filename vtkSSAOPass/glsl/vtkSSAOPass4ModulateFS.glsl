@@ -1,0 +1,47 @@
+//VTK::System::Dec
+//SSAO::Samples::Dec
+//VTK::Output::Dec
+
+// Stage 4: what is to be taken from the picture, in its own encoding: blending subtracts it.
+
+//SSAO::Functions
+
+uniform sampler2D visibility; // denoised ambient visibility
+uniform vec2 texelSize;       // 1 / size of that texture
+uniform vec4 strength;        // power, intensity, scale, shift of ssaoStrength
+uniform int haveLit;          // 1: texture lit holds the colour before clamping
+uniform float white;          // largest value the picture can hold, 1 if it is clamped
+#if defined(SSAO_MULTISAMPLE)
+uniform sampler2DMS occludable; // part of the light that may be occluded, textures included
+uniform sampler2DMS lit;        // colour before clamping; negative: linear light
+#define SSAO_LIGHT(texture) texelFetch(texture, ivec2(gl_FragCoord.xy), gl_SampleID).rgb
+#else
+uniform sampler2D occludable;
+uniform sampler2D lit;
+#define SSAO_LIGHT(texture) textureLod(texture, gl_FragCoord.xy * texelSize, 0.0).rgb
+#endif
+
+void main()
+{
+  float v = ssaoStrength(textureLod(visibility, gl_FragCoord.xy * texelSize, 0.0).x, strength.x,
+    strength.y, strength.z, strength.w);
+  if (v >= 1.0)
+  {
+    discard;
+  }
+  vec3 taken = (1.0 - v) * SSAO_LIGHT(occludable);
+  if (haveLit == 1)
+  {
+    vec3 before = SSAO_LIGHT(lit);
+    bool linear = any(lessThan(before, vec3(0.0)));
+    before = abs(before);
+    vec3 after = max(before - taken, vec3(0.0));
+    if (linear)
+    {
+      before = pow(before, vec3(1.0 / 2.2));
+      after = pow(after, vec3(1.0 / 2.2));
+    }
+    taken = min(before, vec3(white)) - min(after, vec3(white));
+  }
+  gl_FragData[0] = vec4(taken, 0.0);
+}

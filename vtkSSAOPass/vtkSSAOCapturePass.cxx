@@ -1,0 +1,335 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSSAOCapturePass.h"
+
+#include "vtkActor.h"
+#include "vtkAssemblyNode.h"
+#include "vtkAssemblyPath.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkMapper.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkProperty.h"
+#include "vtkRenderState.h"
+#include "vtkRenderer.h"
+#include "vtkSSAOFullScreenStage.h"
+#include "vtkSSAOOpenGL.h"
+#include "vtkSSAOPass0Functions.h"
+#include "vtkSSAOPass1CaptureDeclarationsFS.h"
+#include "vtkSSAOPass1CaptureFacetFS.h"
+#include "vtkSSAOPass1CaptureLightFS.h"
+#include "vtkSSAOPass1CaptureOutputFS.h"
+#include "vtkSSAOView.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkSSAOCapturePass);
+
+namespace
+{
+constexpr const char* LightTag = "//SSAO::Capture::Light";
+constexpr const char* OutputTag = "//SSAO::Capture::Output";
+
+//------------------------------------------------------------------------------
+// Calls visit with every actor that draws a prop, until it returns false.
+// Returns false if it did, or if something else than an actor takes part.
+template <typename Visitor>
+bool VisitActors(vtkProp* prop, Visitor visit)
+{
+  bool all = true;
+  prop->InitPathTraversal();
+  while (vtkAssemblyPath* path = prop->GetNextPath())
+  {
+    vtkActor* actor = vtkActor::SafeDownCast(path->GetLastNode()->GetViewProp());
+    all = all && actor && visit(actor);
+  }
+  return all;
+}
+
+//------------------------------------------------------------------------------
+// Whether the shaders of all that a prop draws go through the hooks of a render pass.
+bool CanBeCaptured(vtkProp* prop)
+{
+  const bool known = prop->IsA("vtkActor") || prop->IsA("vtkAssembly") ||
+    prop->IsA("vtkPropAssembly") || prop->IsA("vtkLODProp3D");
+  return known &&
+    VisitActors(prop,
+      [](vtkActor* actor)
+      {
+        vtkMapper* mapper = actor->GetMapper();
+        return mapper && !mapper->IsA("vtkOpenGLSurfaceProbeVolumeMapper");
+      });
+}
+
+//------------------------------------------------------------------------------
+// Whether an actor's colour may exceed 1, so that clamping hides part of it, or is drawn in linear
+// light. An upper bound: vertex and texture colours count as white.
+bool MayExceedPicture(vtkActor* actor, double light)
+{
+  vtkProperty* faces[2] = { actor->GetProperty(), actor->GetBackfaceProperty() };
+  return std::any_of(faces, faces + 2,
+    [light](vtkProperty* property)
+    {
+      return property &&
+        (property->GetInterpolation() == VTK_PBR ||
+          property->GetAmbient() + light * (property->GetDiffuse() + property->GetSpecular()) >
+            1.0);
+    });
+}
+
+//------------------------------------------------------------------------------
+// The largest sum over the lights of one channel of their colour.
+double TotalLight(vtkRenderer* renderer)
+{
+  double total[3] = { 0.0, 0.0, 0.0 };
+  vtkLightCollection* lights = renderer->GetLights();
+  vtkCollectionSimpleIterator it;
+  lights->InitTraversal(it);
+  while (vtkLight* light = lights->GetNextLight(it))
+  {
+    for (int i = 0; i < 3 && light->GetSwitch(); ++i)
+    {
+      total[i] += light->GetIntensity() * light->GetDiffuseColor()[i];
+    }
+  }
+  return std::max({ total[0], total[1], total[2] });
+}
+
+//------------------------------------------------------------------------------
+bool Contains(const std::string& text, const char* part)
+{
+  return text.find(part) != std::string::npos;
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkSSAOCapturePass::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Weights: " << this->Weights.x << " " << this->Weights.y << " "
+     << this->Weights.z << "\n";
+  os << indent << "Surfaces: " << (this->Surfaces ? "yes" : "no") << "\n";
+}
+
+//------------------------------------------------------------------------------
+vtkTextureObject* vtkSSAOCapturePass::GetOccludable() const
+{
+  return this->Outputs > 2 ? this->Occludable.Get() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkTextureObject* vtkSSAOCapturePass::GetLit() const
+{
+  return this->Outputs > 3 ? this->Lit.Get() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool vtkSSAOCapturePass::Capture(const vtkRenderState* s, const vtkSSAOView& view)
+{
+  this->NumberOfRenderedProps = 0;
+  this->Remainder.clear();
+  std::vector<vtkProp*> props;
+  bool mayExceed = false;
+  const double light = TotalLight(view.Renderer);
+  for (int i = 0; i < s->GetPropArrayCount(); ++i)
+  {
+    vtkProp* prop = s->GetPropArray()[i];
+    if (CanBeCaptured(prop))
+    {
+      props.push_back(prop);
+      mayExceed = mayExceed ||
+        !VisitActors(
+          prop, [light](vtkActor* actor) { return !MayExceedPicture(actor, light); });
+    }
+    else
+    {
+      this->Remainder.push_back(prop);
+    }
+  }
+
+  // Attachments: 0 the picture, 1 geometry, 2 occludable, 3 lit.
+  const bool needsLight = this->Weights != glm::vec3(0.0F);
+  this->Outputs = needsLight ? (mayExceed && view.Clamped ? 4 : 3) : 2;
+  this->Perspective = static_cast<float>(view.Projection.Perspective);
+  this->DepthOfWindow = view.Projection.DepthOfWindow;
+  this->Surfaces = false;
+
+  const bool attached = this->Attach(view, this->Outputs);
+  if (attached)
+  {
+    vtkRenderState hooked(s->GetRenderer());
+    hooked.SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));
+    this->PreRender(&hooked);
+    this->RenderProps(s, props);
+    this->PostRender(&hooked);
+  }
+  this->Detach(view, this->Outputs);
+  return attached;
+}
+
+//------------------------------------------------------------------------------
+void vtkSSAOCapturePass::RenderRemainder(const vtkRenderState* s)
+{
+  this->RenderProps(s, this->Remainder);
+}
+
+//------------------------------------------------------------------------------
+void vtkSSAOCapturePass::Render(const vtkRenderState* s)
+{
+  this->OpaquePass->Render(s);
+  this->NumberOfRenderedProps = this->OpaquePass->GetNumberOfRenderedProps();
+}
+
+//------------------------------------------------------------------------------
+void vtkSSAOCapturePass::RenderProps(const vtkRenderState* s, std::vector<vtkProp*>& props)
+{
+  if (props.empty())
+  {
+    return;
+  }
+  vtkRenderState state(s->GetRenderer());
+  state.SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));
+  state.SetFrameBuffer(s->GetFrameBuffer());
+  this->OpaquePass->Render(&state);
+  this->NumberOfRenderedProps += this->OpaquePass->GetNumberOfRenderedProps();
+}
+
+//------------------------------------------------------------------------------
+bool vtkSSAOCapturePass::Attach(const vtkSSAOView& view, unsigned int outputs)
+{
+  vtkSmartPointer<vtkTextureObject>* textures[] = { &this->Geometry, &this->Occludable,
+    &this->Lit };
+  for (unsigned int i = 1; i < outputs; ++i)
+  {
+    vtkSmartPointer<vtkTextureObject>& texture = *textures[i - 1];
+    const glm::ivec2 size = view.TextureSize;
+    if (!texture || static_cast<int>(texture->GetSamples()) != view.Samples)
+    {
+      texture = vtkSSAOFullScreenStage::NewTexture(view.Window, size.x, size.y, 4, view.Samples);
+    }
+    texture->Resize(size.x, size.y);
+    view.Framebuffer->AddColorAttachment(i, texture);
+  }
+
+  // Only the captured textures are cleared: the picture is the renderer's.
+  vtkOpenGLState* state = view.Window->GetState();
+  std::vector<unsigned int> captured;
+  for (unsigned int i = 1; i < outputs; ++i)
+  {
+    captured.push_back(i);
+  }
+  view.Framebuffer->ActivateDrawBuffers(captured.data(), static_cast<int>(captured.size()));
+  const char* description = nullptr;
+  if (!vtkOpenGLFramebufferObject::GetFrameBufferStatus(GL_DRAW_FRAMEBUFFER, description))
+  {
+    return false;
+  }
+  vtkOpenGLState::ScopedglClearColor clearColorSaver(state);
+  vtkOpenGLState::ScopedglColorMask colorMaskSaver(state);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  state->vtkglClearColor(0.0F, 0.0F, 0.0F, 0.0F);
+  state->vtkglClear(GL_COLOR_BUFFER_BIT);
+  view.Framebuffer->ActivateDrawBuffers(outputs);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkSSAOCapturePass::Detach(const vtkSSAOView& view, unsigned int outputs)
+{
+  view.Framebuffer->ActivateDrawBuffers(1);
+  for (unsigned int i = 1; i < outputs; ++i)
+  {
+    view.Framebuffer->RemoveColorAttachment(i);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkSSAOCapturePass::PreReplaceShaderValues(std::string& /*vertexShader*/,
+  std::string& /*geometryShader*/, std::string& fragmentShader, vtkAbstractMapper* /*mapper*/,
+  vtkProp* /*prop*/)
+{
+  // The tags of VTK are kept and met once only, so that other passes find them too.
+  vtkShaderProgram::Substitute(fragmentShader, "//VTK::Light::Impl",
+    std::string("//VTK::Light::Impl\n  ") + LightTag + "\n", false);
+  vtkShaderProgram::Substitute(fragmentShader, "//VTK::Picking::Impl",
+    std::string(OutputTag) + "\n  //VTK::Picking::Impl", false);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkSSAOCapturePass::PostReplaceShaderValues(std::string& /*vertexShader*/,
+  std::string& /*geometryShader*/, std::string& fragmentShader, vtkAbstractMapper* /*mapper*/,
+  vtkProp* prop)
+{
+  vtkActor* actor = vtkActor::SafeDownCast(prop);
+  const bool sprite = Contains(fragmentShader, "ZCalcS");
+  const bool surface = sprite || !actor ||
+    actor->GetProperty()->GetRepresentation() == VTK_SURFACE;
+  const bool pbr = Contains(fragmentShader, "  color += Lo;\n");
+  const bool lit = surface && Contains(fragmentShader, "vec4 vertexVC") &&
+    Contains(fragmentShader, "vec3 normalVCVSOutput") && Contains(fragmentShader, LightTag) &&
+    (pbr || (Contains(fragmentShader, "vec3 diffuse =") && Contains(fragmentShader, "ambientColor")));
+  // Sphere and stick impostors compute position and normal after derivatives could be taken.
+  const bool impostor = sprite || Contains(fragmentShader, "radiusVCVSOutput");
+
+  std::string declarations;
+  declarations += lit ? "#define SSAO_LIT\n" : "";
+  declarations += lit && pbr ? "#define SSAO_PBR\n" : "";
+  declarations += sprite ? "#define SSAO_SPRITE\n" : "";
+  declarations += impostor ? "#define SSAO_IMPOSTOR\n" : "";
+  declarations += Contains(fragmentShader, "float emix") ? "#define SSAO_EDGES\n" : "";
+  declarations += vtkSSAOPass1CaptureDeclarationsFS;
+  declarations += vtkSSAOPass0Functions;
+  vtkShaderProgram::Substitute(
+    fragmentShader, "void main()", declarations + "\nvoid main()", false);
+  if (lit && !impostor)
+  {
+    vtkShaderProgram::Substitute(fragmentShader, "//VTK::UniformFlow::Impl",
+      std::string(vtkSSAOPass1CaptureFacetFS) + "  //VTK::UniformFlow::Impl", false);
+  }
+  if (lit && pbr)
+  {
+    // The sums that VTK's text forms are split as they are formed.
+    vtkShaderProgram::Substitute(fragmentShader, "  vec3 Lo = vec3(0.0);\n",
+      "  vec3 Lo = vec3(0.0);\n  vec3 ssaoDirectDiffuse = vec3(0.0);\n", false);
+    for (const std::string cosine : { "NdV", "NdL" })
+    {
+      const std::string sum = "  Lo += radiance * (diffuse + specular) * " + cosine + ";\n";
+      vtkShaderProgram::Substitute(fragmentShader, sum,
+        sum + "  ssaoDirectDiffuse += radiance * diffuse * " + cosine + ";\n", true);
+    }
+    vtkShaderProgram::Substitute(fragmentShader, "  color += Lo;\n",
+      "  vec3 ssaoImageBased = color;\n  color += Lo;\n", false);
+  }
+  vtkShaderProgram::Substitute(fragmentShader, LightTag, vtkSSAOPass1CaptureLightFS, false);
+  vtkShaderProgram::Substitute(fragmentShader, OutputTag, vtkSSAOPass1CaptureOutputFS, false);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkSSAOCapturePass::SetShaderParameters(vtkShaderProgram* program,
+  vtkAbstractMapper* /*mapper*/, vtkProp* /*prop*/, vtkOpenGLVertexArrayObject* /*VAO*/)
+{
+  this->Surfaces = true;
+  program->SetUniform3f("ssaoOccludableWeights", &this->Weights[0]);
+  program->SetUniform4f("ssaoDepthOfWindowRows", &this->DepthOfWindow[0]);
+  program->SetUniformf("ssaoPerspective", this->Perspective);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkSSAOCapturePass::ReleaseGraphicsResources(vtkWindow* window)
+{
+  for (auto* texture : { &this->Geometry, &this->Occludable, &this->Lit })
+  {
+    if (*texture)
+    {
+      (*texture)->ReleaseGraphicsResources(window);
+      *texture = nullptr;
+    }
+  }
+}

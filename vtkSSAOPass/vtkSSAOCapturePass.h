@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSSAOCapturePass
+ * @brief   Stage 1: draws the opaque props and captures their geometry and light.
+ *
+ * The props are drawn into the renderer's own framebuffer, to which up to three textures are
+ * attached meanwhile:
+ *  - geometry (RGBA32F): linear view depth as the mapper interpolates it, in float32, packed
+ *    shading normal, packed facet normal, 1. Depth 0: no lit surface. Position is rebuilt from
+ *    depth and pixel, which loses nothing: the pixel is exact and the depth is the mapper's own
+ *    float, so the error is one rounding, where a stored position would take three channels more.
+ *    A depth rebuilt from the depth buffer would be wrong from near/far 1e6 on.
+ *  - occludable (RGBA32F): the part of the colour that occlusion may take, alpha as the colour's.
+ *  - lit (RGBA32F): the colour before clamping; only where a prop may exceed what the picture
+ *    holds or is drawn in linear light (PBR).
+ *
+ * Props whose shaders cannot be hooked (anything but actors with a mapper and assemblies of them)
+ * are left over and drawn by RenderRemainder() once the occlusion has been applied, so nothing can
+ * darken them.
+ */
+
+#ifndef vtkSSAOCapturePass_h
+#define vtkSSAOCapturePass_h
+
+#include "vtkOpenGLRenderPass.h"
+#include "vtkSmartPointer.h" // For members
+
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+#include <vector>
+
+class vtkSSAOView;
+class vtkTextureObject;
+
+class vtkSSAOCapturePass : public vtkOpenGLRenderPass
+{
+public:
+  static vtkSSAOCapturePass* New();
+  vtkTypeMacro(vtkSSAOCapturePass, vtkOpenGLRenderPass);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * The pass that draws opaque props, not owned; set while it is in use.
+   */
+  void SetOpaquePass(vtkRenderPass* pass) { this->OpaquePass = pass; }
+
+  /**
+   * Shares of the ambient, the diffuse and the whole colour that occlusion may take, each 0 or 1.
+   * All 0: only geometry is captured.
+   */
+  void SetOccludableWeights(const glm::vec3& weights) { this->Weights = weights; }
+
+  /**
+   * Draw the props that can be captured, and capture them. False if the textures could not be
+   * attached: then nothing was drawn.
+   */
+  bool Capture(const vtkRenderState* s, const vtkSSAOView& view);
+
+  /**
+   * Draw what Capture left over, without capturing.
+   */
+  void RenderRemainder(const vtkRenderState* s);
+
+  /**
+   * Draw everything without capturing.
+   */
+  void Render(const vtkRenderState* s) override;
+
+  ///@{
+  /**
+   * What was captured; nullptr for what was not needed. Multisampled if the view is.
+   */
+  vtkTextureObject* GetGeometry() const { return this->Geometry; }
+  vtkTextureObject* GetOccludable() const;
+  vtkTextureObject* GetLit() const;
+  ///@}
+
+  /**
+   * Whether any prop was drawn that writes lit surfaces.
+   */
+  bool HasSurfaces() const { return this->Surfaces; }
+
+  bool PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
+    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
+  bool PostReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
+    std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
+  bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
+    vtkOpenGLVertexArrayObject* VAO = nullptr) override;
+
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+protected:
+  vtkSSAOCapturePass() = default;
+  ~vtkSSAOCapturePass() override = default;
+
+private:
+  vtkSSAOCapturePass(const vtkSSAOCapturePass&) = delete;
+  void operator=(const vtkSSAOCapturePass&) = delete;
+
+  bool Attach(const vtkSSAOView& view, unsigned int outputs);
+  void Detach(const vtkSSAOView& view, unsigned int outputs);
+  void RenderProps(const vtkRenderState* s, std::vector<vtkProp*>& props);
+
+  vtkRenderPass* OpaquePass = nullptr;
+  glm::vec3 Weights = glm::vec3(0.0F);
+  glm::vec4 DepthOfWindow = glm::vec4(0.0F);
+  float Perspective = 1.0F;
+  bool Surfaces = false;
+  unsigned int Outputs = 1;
+  std::vector<vtkProp*> Remainder;
+  vtkSmartPointer<vtkTextureObject> Geometry;
+  vtkSmartPointer<vtkTextureObject> Occludable;
+  vtkSmartPointer<vtkTextureObject> Lit;
+};
+
+#endif

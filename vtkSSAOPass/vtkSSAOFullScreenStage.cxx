@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSSAOFullScreenStage.h"
+
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLQuadHelper.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkSSAOOpenGL.h"
+#include "vtkSSAOPassFullScreenVS.h"
+#include "vtkSSAOView.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+//------------------------------------------------------------------------------
+vtkSSAOFullScreenStage::vtkSSAOFullScreenStage() = default;
+
+//------------------------------------------------------------------------------
+vtkSSAOFullScreenStage::~vtkSSAOFullScreenStage() = default;
+
+//------------------------------------------------------------------------------
+void vtkSSAOFullScreenStage::ReleaseGraphicsResources(vtkWindow* window)
+{
+  if (this->Quad)
+  {
+    this->Quad->ReleaseGraphicsResources(window);
+    this->Quad.reset();
+  }
+  this->Framebuffer->ReleaseGraphicsResources(window);
+  if (this->Output)
+  {
+    this->Output->ReleaseGraphicsResources(window);
+    this->Output = nullptr;
+  }
+}
+
+//------------------------------------------------------------------------------
+std::size_t vtkSSAOFullScreenStage::GetTextureBytes() const
+{
+  return this->Output ? std::size_t(4) * this->OutputComponents * this->Output->GetWidth() *
+      this->Output->GetHeight()
+                      : 0;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkTextureObject> vtkSSAOFullScreenStage::NewTexture(
+  vtkOpenGLRenderWindow* window, int width, int height, int components, int samples)
+{
+  auto texture = vtkSmartPointer<vtkTextureObject>::New();
+  texture->SetContext(window);
+  texture->SetFormat(components == 1 ? GL_RED : GL_RGBA);
+  texture->SetInternalFormat(components == 1 ? GL_R32F : GL_RGBA32F);
+  texture->SetDataType(GL_FLOAT);
+  texture->SetMinificationFilter(vtkTextureObject::Nearest);
+  texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+  texture->SetWrapS(vtkTextureObject::ClampToEdge);
+  texture->SetWrapT(vtkTextureObject::ClampToEdge);
+  texture->SetSamples(samples);
+  texture->Allocate2D(width, height, components, VTK_FLOAT);
+  return texture;
+}
+
+//------------------------------------------------------------------------------
+vtkShaderProgram* vtkSSAOFullScreenStage::UseProgram(
+  vtkOpenGLRenderWindow* window, const std::string& fragmentShader)
+{
+  if (!this->Quad || this->Source != fragmentShader)
+  {
+    this->Source = fragmentShader;
+    this->Quad.reset(new vtkOpenGLQuadHelper(
+      window, vtkSSAOPassFullScreenVS, fragmentShader.c_str(), ""));
+    ++this->ProgramBuilds;
+  }
+  else
+  {
+    window->GetShaderCache()->ReadyShaderProgram(this->Quad->Program);
+  }
+  vtkShaderProgram* program = this->Quad->Program;
+  return program && program->GetCompiled() ? program : nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkSSAOFullScreenStage::Draw(const vtkSSAOView& view)
+{
+  vtkOpenGLState* state = view.Window->GetState();
+  vtkOpenGLState::ScopedglViewport viewportSaver(state);
+  vtkOpenGLState::ScopedglScissor scissorSaver(state);
+  vtkOpenGLState::ScopedglEnableDisable scissorTestSaver(state, GL_SCISSOR_TEST);
+  vtkOpenGLState::ScopedglEnableDisable depthTestSaver(state, GL_DEPTH_TEST);
+  vtkOpenGLState::ScopedglEnableDisable cullSaver(state, GL_CULL_FACE);
+  state->vtkglViewport(view.Viewport.x, view.Viewport.y, view.Viewport.z, view.Viewport.w);
+  state->vtkglScissor(view.Viewport.x, view.Viewport.y, view.Viewport.z, view.Viewport.w);
+  state->vtkglEnable(GL_SCISSOR_TEST);
+  state->vtkglDisable(GL_DEPTH_TEST);
+  state->vtkglDisable(GL_CULL_FACE);
+  this->Quad->Render();
+}
+
+//------------------------------------------------------------------------------
+bool vtkSSAOFullScreenStage::DrawToOutput(const vtkSSAOView& view, int components)
+{
+  const glm::ivec2 size = view.TextureSize;
+  if (!this->Output || this->OutputComponents != components)
+  {
+    this->Output = NewTexture(view.Window, size.x, size.y, components, 0);
+    this->OutputComponents = components;
+  }
+  this->Output->Resize(size.x, size.y);
+
+  vtkOpenGLState* state = view.Window->GetState();
+  state->PushFramebufferBindings();
+  this->Framebuffer->SetContext(view.Window);
+  this->Framebuffer->Bind();
+  this->Framebuffer->AddColorAttachment(0, this->Output);
+  this->Framebuffer->ActivateDrawBuffers(1);
+  const char* description = nullptr;
+  const bool complete =
+    vtkOpenGLFramebufferObject::GetFrameBufferStatus(GL_FRAMEBUFFER, description) != 0;
+  if (complete)
+  {
+    vtkOpenGLState::ScopedglEnableDisable blendSaver(state, GL_BLEND);
+    state->vtkglDisable(GL_BLEND);
+    this->Draw(view);
+  }
+  this->Framebuffer->RemoveColorAttachment(0);
+  state->PopFramebufferBindings();
+  return complete;
+}

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSSAOFullScreenStage
+ * @brief   What the stages that draw one quad over the viewport share.
+ *
+ * A stage has one program, kept until the text of its shader changes, and may have one output
+ * texture, which shares the pixel coordinates of the renderer's framebuffer.
+ */
+
+#ifndef vtkSSAOFullScreenStage_h
+#define vtkSSAOFullScreenStage_h
+
+#include "vtkNew.h"          // For members
+#include "vtkSmartPointer.h" // For members
+
+#include <memory>
+#include <string>
+
+class vtkOpenGLFramebufferObject;
+class vtkOpenGLQuadHelper;
+class vtkOpenGLRenderWindow;
+class vtkSSAOView;
+class vtkShaderProgram;
+class vtkTextureObject;
+class vtkWindow;
+
+class vtkSSAOFullScreenStage
+{
+public:
+  vtkSSAOFullScreenStage();
+  virtual ~vtkSSAOFullScreenStage();
+  vtkSSAOFullScreenStage(const vtkSSAOFullScreenStage&) = delete;
+  void operator=(const vtkSSAOFullScreenStage&) = delete;
+
+  /**
+   * The texture the stage has drawn, or nullptr before.
+   */
+  vtkTextureObject* GetOutput() const { return this->Output; }
+
+  /**
+   * Bytes that the output texture takes.
+   */
+  std::size_t GetTextureBytes() const;
+
+  /**
+   * Number of programs built since construction.
+   */
+  int GetNumberOfProgramBuilds() const { return this->ProgramBuilds; }
+
+  virtual void ReleaseGraphicsResources(vtkWindow* window);
+
+  /**
+   * A texture with the format's number of float components, 1 or 4 with 32 bits each, nearest
+   * filtered, not initialised. samples 0: one sample per pixel.
+   */
+  static vtkSmartPointer<vtkTextureObject> NewTexture(
+    vtkOpenGLRenderWindow* window, int width, int height, int components, int samples);
+
+protected:
+  /**
+   * The program of a fragment shader, bound and ready for uniforms, or nullptr if it does not
+   * compile (VTK has then reported the compiler's messages).
+   */
+  vtkShaderProgram* UseProgram(vtkOpenGLRenderWindow* window, const std::string& fragmentShader);
+
+  /**
+   * Draw the quad over the viewport into the framebuffer that is bound.
+   */
+  void Draw(const vtkSSAOView& view);
+
+  /**
+   * Draw the quad into the output texture, which gets so many components and the view's size.
+   * False if the framebuffer is incomplete.
+   */
+  bool DrawToOutput(const vtkSSAOView& view, int components);
+
+private:
+  std::unique_ptr<vtkOpenGLQuadHelper> Quad;
+  std::string Source;
+  int ProgramBuilds = 0;
+  vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
+  vtkSmartPointer<vtkTextureObject> Output;
+  int OutputComponents = 0;
+};
+
+#endif

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file   vtkSSAOKernel.h
+ * @brief  Sample points and rotations, the same on every machine. No OpenGL.
+ */
+
+#ifndef vtkSSAOKernel_h
+#define vtkSSAOKernel_h
+
+#include <glm/vec2.hpp>
+#include <glm/vec4.hpp>
+
+#include <vector>
+
+/**
+ * Points in the unit hemisphere about +z, denser near the centre (Chapman, "SSAO Tutorial", 2013;
+ * LearnOpenGL, "SSAO"): a direction through a random point of the box [-1,1] x [-1,1] x [0,1],
+ * times a random length, times 0.1 + 0.9 (i / size)^2. The random numbers are a four-dimensional
+ * additive recurrence (Roberts, "The Unreasonable Effectiveness of Quasirandom Sequences", 2018).
+ * size >= 1; w is 0.
+ */
+std::vector<glm::vec4> vtkSSAOHemisphereKernel(int size);
+
+/**
+ * The rotations (cos, sin) of a tile of size x size pixels, row by row: size^2 angles evenly spaced
+ * over the circle, neighbours far apart. size >= 1.
+ */
+std::vector<glm::vec2> vtkSSAORotationTile(int size);
+
+#endif

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSSAOModulateStage.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkSSAOOpenGL.h"
+#include "vtkSSAOPass0Functions.h"
+#include "vtkSSAOPass4ModulateFS.h"
+#include "vtkSSAOView.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+#include <limits>
+
+//------------------------------------------------------------------------------
+bool vtkSSAOModulateStage::Render(const vtkSSAOView& view, const vtkSSAOStrength& strength,
+  vtkTextureObject* visibility, vtkTextureObject* occludable, vtkTextureObject* lit)
+{
+  std::string source = vtkSSAOPass4ModulateFS;
+  vtkShaderProgram::Substitute(source, "//SSAO::Samples::Dec",
+    view.Samples ? "#extension GL_ARB_sample_shading : require\n#define SSAO_MULTISAMPLE" : "");
+  vtkShaderProgram::Substitute(source, "//SSAO::Functions", vtkSSAOPass0Functions);
+  vtkShaderProgram* program = this->UseProgram(view.Window, source);
+  if (!program)
+  {
+    return false;
+  }
+  visibility->Activate();
+  occludable->Activate();
+  if (lit)
+  {
+    lit->Activate();
+  }
+  const float texelSize[2] = { 1.0F / view.TextureSize.x, 1.0F / view.TextureSize.y };
+  const float values[4] = { static_cast<float>(strength.Power),
+    static_cast<float>(strength.Intensity), static_cast<float>(strength.Scale),
+    static_cast<float>(strength.Shift) };
+  program->SetUniformi("visibility", visibility->GetTextureUnit());
+  program->SetUniformi("occludable", occludable->GetTextureUnit());
+  program->SetUniformi("lit", (lit ? lit : occludable)->GetTextureUnit());
+  program->SetUniformi("haveLit", lit ? 1 : 0);
+  program->SetUniformf("white", view.Clamped ? 1.0F : std::numeric_limits<float>::max());
+  program->SetUniform2f("texelSize", texelSize);
+  program->SetUniform4f("strength", values);
+
+  vtkOpenGLState* state = view.Window->GetState();
+  {
+    vtkOpenGLState::ScopedglEnableDisable blendSaver(state, GL_BLEND);
+    vtkOpenGLState::ScopedglBlendFuncSeparate blendFunctionSaver(state);
+    vtkOpenGLState::ScopedglColorMask colorMaskSaver(state);
+    vtkOpenGLState::ScopedglDepthMask depthMaskSaver(state);
+    state->vtkglEnable(GL_BLEND);
+    state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ZERO, GL_ONE);
+    state->vtkglBlendEquationSeparate(GL_FUNC_REVERSE_SUBTRACT, GL_FUNC_ADD);
+    state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    state->vtkglDepthMask(GL_FALSE);
+    this->Draw(view);
+    state->vtkglBlendEquationSeparate(GL_FUNC_ADD, GL_FUNC_ADD);
+  }
+  if (lit)
+  {
+    lit->Deactivate();
+  }
+  occludable->Deactivate();
+  visibility->Deactivate();
+  return true;
+}

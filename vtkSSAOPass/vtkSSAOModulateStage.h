@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSSAOModulateStage
+ * @brief   Stage 4: takes the occluded part of the light from the picture.
+ *
+ * Draws into the renderer's framebuffer with subtractive blending, so pixels without occlusion are
+ * not touched at all, whatever was in the framebuffer.
+ */
+
+#ifndef vtkSSAOModulateStage_h
+#define vtkSSAOModulateStage_h
+
+#include "vtkSSAOFullScreenStage.h"
+
+/**
+ * Parameters of ssaoStrength.
+ */
+struct vtkSSAOStrength
+{
+  double Power = 1.0;
+  double Intensity = 1.0;
+  double Scale = 1.0;
+  double Shift = 0.0;
+};
+
+class vtkSSAOModulateStage : public vtkSSAOFullScreenStage
+{
+public:
+  /**
+   * visibility: one sample per pixel; occludable and lit (may be nullptr) as captured. False on
+   * failure: then the picture is as it was.
+   */
+  bool Render(const vtkSSAOView& view, const vtkSSAOStrength& strength,
+    vtkTextureObject* visibility, vtkTextureObject* occludable, vtkTextureObject* lit);
+};
+
+#endif

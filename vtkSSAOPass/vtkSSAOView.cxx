@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSSAOView.h"
+
+#include "vtkMatrix4x4.h"
+#include "vtkMatrix3x3.h"
+#include "vtkOpenGLCamera.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkRenderState.h"
+#include "vtkRenderer.h"
+#include "vtkSSAOOpenGL.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+#include <glm/mat2x2.hpp>
+#include <glm/matrix.hpp>
+
+namespace
+{
+//------------------------------------------------------------------------------
+void SetVector(vtkShaderProgram* program, const char* name, const glm::dvec4& value)
+{
+  const float values[4] = { static_cast<float>(value.x), static_cast<float>(value.y),
+    static_cast<float>(value.z), static_cast<float>(value.w) };
+  program->SetUniform4f(name, values);
+}
+
+//------------------------------------------------------------------------------
+void SetVector(vtkShaderProgram* program, const char* name, const glm::dvec2& value)
+{
+  const float values[2] = { static_cast<float>(value.x), static_cast<float>(value.y) };
+  program->SetUniform2f(name, values);
+}
+
+//------------------------------------------------------------------------------
+// Rows of a 2x2 matrix as the shaders take them.
+glm::dvec4 Rows(const glm::dmat2& m)
+{
+  return { m[0][0], m[1][0], m[0][1], m[1][1] };
+}
+}
+
+//------------------------------------------------------------------------------
+vtkSSAOProjection vtkSSAOProjection::FromMatrix(
+  const glm::dmat4& clipOfView, const glm::ivec4& viewport)
+{
+  // With d = -z and w = d (perspective) or 1 (parallel), the first two rows of the matrix read
+  //   ndc w = L (x, y) - M d + T,   L 2x2, M and T its third and fourth columns,
+  // and ndc = scale pixel + origin. Solved for (x, y):
+  //   (x, y) = (inverse(L) ndc) w + inverse(L) M d - inverse(L) T
+  const glm::dmat2 linear(clipOfView);
+  const glm::dmat2 inverse = glm::inverse(linear);
+  const glm::dvec2 scale(2.0 / viewport.z, 2.0 / viewport.w);
+  const glm::dvec2 origin(-1.0 - scale.x * viewport.x, -1.0 - scale.y * viewport.y);
+
+  vtkSSAOProjection projection;
+  const glm::dmat2 pixelToRay = inverse * glm::dmat2(scale.x, 0.0, 0.0, scale.y);
+  const glm::dvec2 rayOffset = inverse * origin;
+  const glm::dvec2 shift = -(inverse * glm::dvec2(clipOfView[3]));
+  projection.PixelToRay = Rows(pixelToRay);
+  projection.RayToPixel = Rows(glm::inverse(pixelToRay));
+  projection.RayOffset = glm::dvec4(rayOffset, shift);
+  projection.DepthSlope = inverse * glm::dvec2(clipOfView[2]);
+  projection.DepthOfWindow =
+    glm::dvec4(clipOfView[2][2], clipOfView[3][2], clipOfView[2][3], clipOfView[3][3]);
+  projection.Perspective = clipOfView[2][3] != 0.0 ? 1.0 : 0.0;
+  return projection;
+}
+
+//------------------------------------------------------------------------------
+vtkSSAOView::vtkSSAOView(const vtkRenderState* state)
+  : Renderer(state->GetRenderer())
+  , Window(vtkOpenGLRenderWindow::SafeDownCast(this->Renderer->GetRenderWindow()))
+  , Framebuffer(vtkOpenGLFramebufferObject::SafeDownCast(state->GetFrameBuffer()))
+  , Viewport(0)
+  , TextureSize(0)
+  , Samples(0)
+  , Clamped(true)
+{
+  if (!this->Window)
+  {
+    this->Reason = "the render window is not an OpenGL window";
+    return;
+  }
+  if (this->Framebuffer)
+  {
+    this->Framebuffer->GetLastSize(this->Viewport.z, this->Viewport.w);
+  }
+  else
+  {
+    this->Framebuffer = this->Window->GetRenderFramebuffer();
+    this->Renderer->GetTiledSizeAndOrigin(
+      &this->Viewport.z, &this->Viewport.w, &this->Viewport.x, &this->Viewport.y);
+  }
+  if (this->Viewport.z <= 0 || this->Viewport.w <= 0)
+  {
+    this->Reason = "the viewport has no pixels";
+    return;
+  }
+  this->TextureSize = glm::ivec2(this->Viewport) + glm::ivec2(this->Viewport.z, this->Viewport.w);
+
+  int bound = 0;
+  this->Window->GetState()->vtkglGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+  if (static_cast<unsigned int>(bound) != this->Framebuffer->GetFBOIndex())
+  {
+    this->Reason = "something else than the renderer's framebuffer is drawn into";
+    return;
+  }
+  if (this->Framebuffer->GetNumberOfColorAttachments() > 1)
+  {
+    this->Reason = "the framebuffer has several color attachments already";
+    return;
+  }
+  this->Samples = this->Framebuffer->GetMultiSamples();
+  if (vtkTextureObject* color = this->Framebuffer->GetColorAttachmentAsTextureObject(0))
+  {
+    const int type = color->GetVTKDataType();
+    this->Clamped = type != VTK_FLOAT && type != VTK_DOUBLE;
+  }
+
+  auto* camera = vtkOpenGLCamera::SafeDownCast(this->Renderer->GetActiveCamera());
+  if (!camera)
+  {
+    this->Reason = "the camera is not an OpenGL camera";
+    return;
+  }
+  // The very matrix that the mappers draw with; VTK keeps it transposed.
+  vtkMatrix4x4* viewOfWorld = nullptr;
+  vtkMatrix3x3* normals = nullptr;
+  vtkMatrix4x4* clipOfView = nullptr;
+  vtkMatrix4x4* clipOfWorld = nullptr;
+  camera->GetKeyMatrices(this->Renderer, viewOfWorld, normals, clipOfView, clipOfWorld);
+  glm::dmat4 matrix;
+  for (int column = 0; column < 4; ++column)
+  {
+    for (int row = 0; row < 4; ++row)
+    {
+      matrix[column][row] = clipOfView->GetElement(column, row);
+    }
+  }
+  this->Projection = vtkSSAOProjection::FromMatrix(matrix, this->Viewport);
+}
+
+//------------------------------------------------------------------------------
+void vtkSSAOView::SetUniforms(vtkShaderProgram* program) const
+{
+  SetVector(program, "texelSize", glm::dvec2(1.0) / glm::dvec2(this->TextureSize));
+  SetVector(program, "viewport", glm::dvec4(this->Viewport));
+  SetVector(program, "pixelToRay", this->Projection.PixelToRay);
+  SetVector(program, "rayToPixel", this->Projection.RayToPixel);
+  SetVector(program, "rayOffset", this->Projection.RayOffset);
+  SetVector(program, "depthSlope", this->Projection.DepthSlope);
+  program->SetUniformf("perspective", static_cast<float>(this->Projection.Perspective));
+}

@@ -1,0 +1,548 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkScreenSpaceAmbientOcclusionPass.h"
+
+#include "vtkBoundingBox.h"
+#include "vtkCameraPass.h"
+#include "vtkHardwareSelector.h"
+#include "vtkLightsPass.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpaquePass.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPropCollection.h"
+#include "vtkRenderState.h"
+#include "vtkRenderer.h"
+#include "vtkSSAOCapturePass.h"
+#include "vtkSSAODelegateGraft.h"
+#include "vtkSSAODenoiseStage.h"
+#include "vtkSSAODisplayStage.h"
+#include "vtkSSAOModulateStage.h"
+#include "vtkSSAOOcclusionStage.h"
+#include "vtkSSAOOpenGL.h"
+#include "vtkSSAORenderSteps.h"
+#include "vtkSSAOResolveStage.h"
+#include "vtkSSAOView.h"
+#include "vtkTextureObject.h"
+
+#include <cmath>
+#include <functional>
+#include <limits>
+
+vtkStandardNewMacro(vtkScreenSpaceAmbientOcclusionPass);
+
+namespace
+{
+//------------------------------------------------------------------------------
+// A render pass that calls a function: it takes the place of the opaque pass.
+class vtkSSAOOpaqueStep : public vtkRenderPass
+{
+public:
+  static vtkSSAOOpaqueStep* New();
+  vtkTypeMacro(vtkSSAOOpaqueStep, vtkRenderPass);
+  void Render(const vtkRenderState* s) override { this->NumberOfRenderedProps = this->Step(s); }
+  std::function<int(const vtkRenderState*)> Step;
+
+protected:
+  vtkSSAOOpaqueStep() = default;
+  ~vtkSSAOOpaqueStep() override = default;
+
+private:
+  vtkSSAOOpaqueStep(const vtkSSAOOpaqueStep&) = delete;
+  void operator=(const vtkSSAOOpaqueStep&) = delete;
+};
+vtkStandardNewMacro(vtkSSAOOpaqueStep);
+
+//------------------------------------------------------------------------------
+// Draws what a hardware selector asks for in place of the scene.
+class vtkSSAOSelectionStep : public vtkRenderPass
+{
+public:
+  static vtkSSAOSelectionStep* New();
+  vtkTypeMacro(vtkSSAOSelectionStep, vtkRenderPass);
+  void Render(const vtkRenderState* s) override
+  {
+    vtkRenderer* renderer = s->GetRenderer();
+    this->NumberOfRenderedProps = renderer->GetSelector()->Render(
+      renderer, s->GetPropArray(), s->GetPropArrayCount());
+  }
+
+protected:
+  vtkSSAOSelectionStep() = default;
+  ~vtkSSAOSelectionStep() override = default;
+
+private:
+  vtkSSAOSelectionStep(const vtkSSAOSelectionStep&) = delete;
+  void operator=(const vtkSSAOSelectionStep&) = delete;
+};
+vtkStandardNewMacro(vtkSSAOSelectionStep);
+
+//------------------------------------------------------------------------------
+// Diagonal of the bounds of the renderer's visible opaque props, 0 if there is nothing. All props
+// count, also those outside the view, so that the radius does not change as the camera moves.
+double DiagonalOfOpaqueProps(vtkRenderer* renderer)
+{
+  vtkBoundingBox box;
+  vtkCollectionSimpleIterator it;
+  vtkPropCollection* props = renderer->GetViewProps();
+  props->InitTraversal(it);
+  while (vtkProp* prop = props->GetNextProp(it))
+  {
+    const double* bounds = prop->GetVisibility() && prop->GetUseBounds() &&
+        prop->HasOpaqueGeometry()
+      ? prop->GetBounds()
+      : nullptr;
+    bool finite = bounds && bounds[0] <= bounds[1];
+    for (int i = 0; i < 6 && finite; ++i)
+    {
+      finite = std::isfinite(bounds[i]) && std::abs(bounds[i]) < 1.0e29;
+    }
+    if (finite)
+    {
+      box.AddBounds(bounds);
+    }
+  }
+  return box.IsValid() ? box.GetDiagonalLength() : 0.0;
+}
+
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+constexpr int LargestKernel = 1024;
+constexpr int LargestNoise = 64;
+}
+
+//------------------------------------------------------------------------------
+// The stages, and what is known of the last render.
+class vtkScreenSpaceAmbientOcclusionPass::Pipeline
+{
+public:
+  vtkNew<vtkCameraPass> Camera;
+  vtkNew<vtkSSAORenderSteps> Steps;
+  vtkNew<vtkLightsPass> Lights;
+  vtkNew<vtkOpaquePass> Opaque;
+  vtkNew<vtkSSAOOpaqueStep> OpaqueStep;
+  vtkNew<vtkSSAOSelectionStep> SelectionStep;
+
+  vtkNew<vtkSSAOCapturePass> Capture;
+  vtkSSAOResolveStage Resolve;
+  vtkSSAOOcclusionStage Occlusion;
+  vtkSSAODenoiseStage Denoise;
+  vtkSSAOModulateStage Modulate;
+  vtkSSAODisplayStage Display;
+
+  double EffectiveRadius = -1.0;
+  vtkTextureObject* Geometry = nullptr;   ///< of this frame, one sample per pixel
+  vtkTextureObject* Visibility = nullptr; ///< of this frame, denoised
+  glm::ivec4 Viewport = glm::ivec4(0);    ///< of this frame within these textures
+  bool Warned = false;
+
+  void ReleaseGraphicsResources(vtkWindow* window)
+  {
+    this->Camera->ReleaseGraphicsResources(window);
+    this->Steps->ReleaseGraphicsResources(window);
+    this->Opaque->ReleaseGraphicsResources(window);
+    this->Capture->ReleaseGraphicsResources(window);
+    this->Resolve.ReleaseGraphicsResources(window);
+    this->Occlusion.ReleaseGraphicsResources(window);
+    this->Denoise.ReleaseGraphicsResources(window);
+    this->Modulate.ReleaseGraphicsResources(window);
+    this->Display.ReleaseGraphicsResources(window);
+    this->Geometry = nullptr;
+    this->Visibility = nullptr;
+  }
+};
+
+//------------------------------------------------------------------------------
+vtkScreenSpaceAmbientOcclusionPass::vtkScreenSpaceAmbientOcclusionPass()
+  : Stages(new Pipeline)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkScreenSpaceAmbientOcclusionPass::~vtkScreenSpaceAmbientOcclusionPass() = default;
+
+//------------------------------------------------------------------------------
+void vtkScreenSpaceAmbientOcclusionPass::Render(const vtkRenderState* s)
+{
+  this->NumberOfRenderedProps = 0;
+  Pipeline& stages = *this->Stages;
+  stages.Geometry = nullptr;
+  stages.Visibility = nullptr;
+
+  if (s->GetRenderer()->GetSelector())
+  {
+    stages.Camera->SetDelegatePass(stages.SelectionStep);
+    stages.Camera->Render(s);
+    this->NumberOfRenderedProps = stages.Camera->GetNumberOfRenderedProps();
+    return;
+  }
+  this->RenderScene(s);
+  if (this->OutputMode == Occlusion || this->OutputMode == Normal || this->OutputMode == Depth)
+  {
+    this->DisplayBuffers(s);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkScreenSpaceAmbientOcclusionPass::RenderScene(const vtkRenderState* s)
+{
+  Pipeline& stages = *this->Stages;
+  vtkRenderPass* root = nullptr;
+  vtkSSAODelegateGraft graft(this->DelegatePass, stages.OpaqueStep);
+  if (!this->DelegatePass)
+  {
+    stages.Steps->SetOpaquePass(stages.OpaqueStep);
+    stages.Camera->SetDelegatePass(stages.Steps);
+    stages.Capture->SetOpaquePass(stages.Opaque);
+    root = stages.Camera;
+  }
+  else
+  {
+    if (!graft.GetOpaquePass())
+    {
+      this->WarnOnce("the delegate has no vtkOpaquePass");
+    }
+    stages.Capture->SetOpaquePass(graft.GetOpaquePass());
+    root = graft.GetRoot();
+  }
+  if (root == stages.OpaqueStep && s->GetRenderer()->GetPass() == this)
+  {
+    // A bare opaque pass under the renderer: nobody else clears and sets the viewport.
+    stages.Camera->SetDelegatePass(stages.OpaqueStep);
+    root = stages.Camera;
+  }
+  stages.OpaqueStep->Step = [this](const vtkRenderState* state)
+  { return this->RenderOpaqueWithOcclusion(state); };
+  root->Render(s);
+  this->NumberOfRenderedProps = root->GetNumberOfRenderedProps();
+  stages.OpaqueStep->Step = nullptr;
+  stages.Capture->SetOpaquePass(nullptr);
+}
+
+//------------------------------------------------------------------------------
+int vtkScreenSpaceAmbientOcclusionPass::RenderOpaqueWithOcclusion(const vtkRenderState* s)
+{
+  vtkOpenGLClearErrorMacro();
+  Pipeline& stages = *this->Stages;
+  // A delegate may lack lights; setting them up twice changes nothing.
+  stages.Lights->Render(s);
+  const vtkSSAOView view(s);
+  this->UpdateEffectiveRadius(s->GetRenderer());
+  if (!view.IsValid() || !this->NeedsBuffers())
+  {
+    if (!view.IsValid())
+    {
+      this->WarnOnce(view.WhyInvalid());
+    }
+    stages.Capture->Render(s);
+    return stages.Capture->GetNumberOfRenderedProps();
+  }
+
+  if (!this->CaptureSurfaces(s, view))
+  {
+    vtkErrorMacro("The capture framebuffer is incomplete; the scene is drawn without occlusion.");
+    stages.Capture->Render(s);
+    return stages.Capture->GetNumberOfRenderedProps();
+  }
+  const bool nothingToShade = this->OutputMode == Composite && !stages.Capture->HasSurfaces();
+  const bool shaded = nothingToShade ||
+    (this->ComputeOcclusion(view) && this->RemoveNoise(view) && this->ModulateLight(view));
+  if (!shaded)
+  {
+    vtkErrorMacro("A shader or framebuffer of the occlusion could not be built; the scene is drawn "
+                  "without occlusion.");
+  }
+  stages.Capture->RenderRemainder(s);
+  vtkOpenGLCheckErrorMacro("failed after RenderOpaqueWithOcclusion");
+  return stages.Capture->GetNumberOfRenderedProps();
+}
+
+//------------------------------------------------------------------------------
+bool vtkScreenSpaceAmbientOcclusionPass::NeedsBuffers() const
+{
+  return this->OutputMode != Unoccluded && (this->OutputMode != Composite || this->Intensity > 0.0);
+}
+
+//------------------------------------------------------------------------------
+bool vtkScreenSpaceAmbientOcclusionPass::CaptureSurfaces(
+  const vtkRenderState* s, const vtkSSAOView& view)
+{
+  Pipeline& stages = *this->Stages;
+  glm::vec3 weights(0.0F);
+  if (this->OutputMode == Composite)
+  {
+    weights = this->Modulation == All ? glm::vec3(0.0F, 0.0F, 1.0F)
+                                      : glm::vec3(1.0F, this->Modulation == Ambient ? 0.0F : 1.0F, 0.0F);
+  }
+  stages.Capture->SetOccludableWeights(weights);
+  if (!stages.Capture->Capture(s, view))
+  {
+    return false;
+  }
+  stages.Viewport = view.Viewport;
+  stages.Geometry = stages.Capture->GetGeometry();
+  if (view.Samples)
+  {
+    stages.Geometry =
+      stages.Resolve.Render(view, stages.Geometry) ? stages.Resolve.GetOutput() : nullptr;
+  }
+  return stages.Geometry != nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool vtkScreenSpaceAmbientOcclusionPass::ComputeOcclusion(const vtkSSAOView& view)
+{
+  Pipeline& stages = *this->Stages;
+  vtkSSAOOcclusionSettings settings;
+  settings.Radius = stages.EffectiveRadius;
+  settings.Bias = this->Bias < 0.0 ? 0.05 * stages.EffectiveRadius : this->Bias;
+  settings.KernelSize = this->KernelSize;
+  settings.NoiseSize = this->NoiseSize;
+  if (!stages.Occlusion.Render(view, settings, stages.Geometry))
+  {
+    return false;
+  }
+  stages.Visibility = stages.Occlusion.GetOutput();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkScreenSpaceAmbientOcclusionPass::RemoveNoise(const vtkSSAOView& view)
+{
+  Pipeline& stages = *this->Stages;
+  if (this->Denoiser == None || this->NoiseSize == 1)
+  {
+    return true;
+  }
+  if (!stages.Denoise.Render(
+        view, this->Denoiser == EdgeAware, this->NoiseSize, stages.Geometry, stages.Visibility))
+  {
+    return false;
+  }
+  stages.Visibility = stages.Denoise.GetOutput();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkScreenSpaceAmbientOcclusionPass::ModulateLight(const vtkSSAOView& view)
+{
+  Pipeline& stages = *this->Stages;
+  if (this->OutputMode != Composite)
+  {
+    return true;
+  }
+  vtkSSAOStrength strength;
+  strength.Power = this->Power;
+  strength.Intensity = this->Intensity;
+  strength.Scale = this->IntensityScale;
+  strength.Shift = this->IntensityShift;
+  return stages.Modulate.Render(view, strength, stages.Visibility, stages.Capture->GetOccludable(),
+    stages.Capture->GetLit());
+}
+
+//------------------------------------------------------------------------------
+void vtkScreenSpaceAmbientOcclusionPass::DisplayBuffers(const vtkRenderState* s)
+{
+  Pipeline& stages = *this->Stages;
+  const vtkSSAOView view(s);
+  if (view.IsValid() && stages.Geometry && stages.Visibility)
+  {
+    stages.Display.Render(
+      view, this->OutputMode, stages.Viewport, stages.Geometry, stages.Visibility);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkScreenSpaceAmbientOcclusionPass::UpdateEffectiveRadius(vtkRenderer* renderer)
+{
+  this->Stages->EffectiveRadius =
+    this->Radius > 0.0 ? this->Radius : 0.1 * DiagonalOfOpaqueProps(renderer);
+}
+
+//------------------------------------------------------------------------------
+void vtkScreenSpaceAmbientOcclusionPass::WarnOnce(const char* reason)
+{
+  if (!this->Stages->Warned)
+  {
+    this->Stages->Warned = true;
+    vtkWarningMacro("No ambient occlusion: " << reason << ". The scene is drawn without it.");
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkScreenSpaceAmbientOcclusionPass::ReleaseGraphicsResources(vtkWindow* w)
+{
+  this->Superclass::ReleaseGraphicsResources(w);
+  this->Stages->ReleaseGraphicsResources(w);
+}
+
+//------------------------------------------------------------------------------
+double vtkScreenSpaceAmbientOcclusionPass::GetEffectiveRadius() const
+{
+  return this->Stages->EffectiveRadius < 0.0 ? this->Radius : this->Stages->EffectiveRadius;
+}
+
+//------------------------------------------------------------------------------
+template <typename Value>
+void vtkScreenSpaceAmbientOcclusionPass::SetInRange(
+  const char* name, Value& variable, double value, double low, double high)
+{
+  if (!std::isfinite(value) || value < low || value > high)
+  {
+    vtkErrorMacro(<< name << " " << value << " is refused: it must be "
+                  << (high < Infinity ? "from " : "finite and at least ") << low
+                  << (high < Infinity ? " to " : "")
+                  << (high < Infinity ? std::to_string(high) : std::string()) << ". It stays "
+                  << variable << ".");
+    return;
+  }
+  if (variable != static_cast<Value>(value))
+  {
+    variable = static_cast<Value>(value);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkScreenSpaceAmbientOcclusionPass::SetRadius(double radius)
+{
+  this->SetInRange("Radius", this->Radius, radius, 0.0, Infinity);
+}
+
+//------------------------------------------------------------------------------
+void vtkScreenSpaceAmbientOcclusionPass::SetQuality(int kernelSize)
+{
+  this->SetEstimatorToHemisphere();
+  this->SetKernelSize(kernelSize);
+  this->SetDenoiserToEdgeAware();
+}
+
+//------------------------------------------------------------------------------
+void vtkScreenSpaceAmbientOcclusionPass::SetQualityToFast()
+{
+  this->SetQuality(16);
+}
+
+//------------------------------------------------------------------------------
+void vtkScreenSpaceAmbientOcclusionPass::SetQualityToBalanced()
+{
+  this->SetQuality(32);
+}
+
+//------------------------------------------------------------------------------
+void vtkScreenSpaceAmbientOcclusionPass::SetQualityToAccurate()
+{
+  this->SetQuality(64);
+}
+
+//------------------------------------------------------------------------------
+void vtkScreenSpaceAmbientOcclusionPass::SetEstimator(int estimator)
+{
+  this->SetInRange("Estimator", this->Estimator, estimator, Hemisphere, Hemisphere);
+}
+
+//------------------------------------------------------------------------------
+void vtkScreenSpaceAmbientOcclusionPass::SetKernelSize(int size)
+{
+  this->SetInRange("KernelSize", this->KernelSize, size, 1, LargestKernel);
+}
+
+//------------------------------------------------------------------------------
+void vtkScreenSpaceAmbientOcclusionPass::SetNoiseSize(int size)
+{
+  this->SetInRange("NoiseSize", this->NoiseSize, size, 1, LargestNoise);
+}
+
+//------------------------------------------------------------------------------
+void vtkScreenSpaceAmbientOcclusionPass::SetBias(double bias)
+{
+  this->SetInRange("Bias", this->Bias, bias, 0.0, Infinity);
+}
+
+//------------------------------------------------------------------------------
+void vtkScreenSpaceAmbientOcclusionPass::SetBiasToAutomatic()
+{
+  this->SetInRange("Bias", this->Bias, -1.0, -1.0, -1.0);
+}
+
+//------------------------------------------------------------------------------
+void vtkScreenSpaceAmbientOcclusionPass::SetDenoiser(int denoiser)
+{
+  if (denoiser != None && denoiser != Box && denoiser != EdgeAware)
+  {
+    vtkErrorMacro(<< "Denoiser " << denoiser << " is refused: it is unknown. It stays "
+                  << this->Denoiser << ".");
+    return;
+  }
+  this->SetInRange("Denoiser", this->Denoiser, denoiser, None, EdgeAware);
+}
+
+//------------------------------------------------------------------------------
+void vtkScreenSpaceAmbientOcclusionPass::SetBlur(bool blur)
+{
+  if (blur != this->GetBlur())
+  {
+    this->SetDenoiser(blur ? EdgeAware : None);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkScreenSpaceAmbientOcclusionPass::SetModulation(int modulation)
+{
+  this->SetInRange("Modulation", this->Modulation, modulation, Ambient, All);
+}
+
+//------------------------------------------------------------------------------
+void vtkScreenSpaceAmbientOcclusionPass::SetIntensity(double intensity)
+{
+  this->SetInRange("Intensity", this->Intensity, intensity, 0.0, 10.0);
+}
+
+//------------------------------------------------------------------------------
+void vtkScreenSpaceAmbientOcclusionPass::SetPower(double power)
+{
+  this->SetInRange("Power", this->Power, power, 0.01, 16.0);
+}
+
+//------------------------------------------------------------------------------
+void vtkScreenSpaceAmbientOcclusionPass::SetIntensityScale(double scale)
+{
+  this->SetInRange("IntensityScale", this->IntensityScale, scale, 0.0, 10.0);
+}
+
+//------------------------------------------------------------------------------
+void vtkScreenSpaceAmbientOcclusionPass::SetIntensityShift(double shift)
+{
+  this->SetInRange("IntensityShift", this->IntensityShift, shift, -1.0, 1.0);
+}
+
+//------------------------------------------------------------------------------
+void vtkScreenSpaceAmbientOcclusionPass::SetOutputMode(int mode)
+{
+  this->SetInRange("OutputMode", this->OutputMode, mode, Composite, Depth);
+}
+
+//------------------------------------------------------------------------------
+void vtkScreenSpaceAmbientOcclusionPass::SetVolumeOpacityThreshold(double threshold)
+{
+  this->SetInRange("VolumeOpacityThreshold", this->VolumeOpacityThreshold, threshold, 0.0, 1.0);
+}
+
+//------------------------------------------------------------------------------
+void vtkScreenSpaceAmbientOcclusionPass::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Radius: " << this->Radius << (this->Radius > 0.0 ? "" : " (automatic)") << "\n";
+  os << indent << "EffectiveRadius: " << this->GetEffectiveRadius() << "\n";
+  os << indent << "Estimator: " << this->Estimator << "\n";
+  os << indent << "KernelSize: " << this->KernelSize << "\n";
+  os << indent << "NoiseSize: " << this->NoiseSize << "\n";
+  os << indent << "Bias: " << this->Bias << (this->Bias < 0.0 ? " (automatic)" : "") << "\n";
+  os << indent << "Denoiser: " << this->Denoiser << "\n";
+  os << indent << "Modulation: " << this->Modulation << "\n";
+  os << indent << "Intensity: " << this->Intensity << "\n";
+  os << indent << "Power: " << this->Power << "\n";
+  os << indent << "IntensityScale: " << this->IntensityScale << "\n";
+  os << indent << "IntensityShift: " << this->IntensityShift << "\n";
+  os << indent << "OutputMode: " << this->OutputMode << "\n";
+  os << indent << "DepthFormat: " << this->DepthFormat << "\n";
+  os << indent << "VolumeOpacityThreshold: " << this->VolumeOpacityThreshold << "\n";
+}
