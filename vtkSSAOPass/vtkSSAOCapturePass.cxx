@@ -128,6 +128,14 @@ vtkTextureObject* vtkSSAOCapturePass::GetLit() const
 }
 
 //------------------------------------------------------------------------------
+unsigned long vtkSSAOCapturePass::GetTextureMemory() const
+{
+  return vtkSSAOFullScreenStage::GetBytes(this->Geometry) +
+    vtkSSAOFullScreenStage::GetBytes(this->Occludable) +
+    vtkSSAOFullScreenStage::GetBytes(this->Lit);
+}
+
+//------------------------------------------------------------------------------
 bool vtkSSAOCapturePass::Capture(const vtkRenderState* s, const vtkSSAOView& view)
 {
   this->NumberOfRenderedProps = 0;

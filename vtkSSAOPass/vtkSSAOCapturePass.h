@@ -77,6 +77,11 @@ public:
   ///@}
 
   /**
+   * Bytes that the textures take, used in the last frame or not.
+   */
+  unsigned long GetTextureMemory() const;
+
+  /**
    * Whether any prop was drawn that writes lit surfaces.
    */
   bool HasSurfaces() const { return this->Surfaces; }

@@ -12,6 +12,8 @@
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
+#include <algorithm>
+
 //------------------------------------------------------------------------------
 vtkSSAOFullScreenStage::vtkSSAOFullScreenStage() = default;
 
@@ -35,11 +37,11 @@ void vtkSSAOFullScreenStage::ReleaseGraphicsResources(vtkWindow* window)
 }
 
 //------------------------------------------------------------------------------
-std::size_t vtkSSAOFullScreenStage::GetTextureBytes() const
+unsigned long vtkSSAOFullScreenStage::GetBytes(vtkTextureObject* texture)
 {
-  return this->Output ? std::size_t(4) * this->OutputComponents * this->Output->GetWidth() *
-      this->Output->GetHeight()
-                      : 0;
+  return texture ? 4UL * texture->GetComponents() * texture->GetWidth() * texture->GetHeight() *
+      std::max(1U, texture->GetSamples())
+                 : 0UL;
 }
 
 //------------------------------------------------------------------------------

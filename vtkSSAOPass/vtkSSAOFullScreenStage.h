@@ -38,16 +38,16 @@ public:
   vtkTextureObject* GetOutput() const { return this->Output; }
 
   /**
-   * Bytes that the output texture takes.
-   */
-  std::size_t GetTextureBytes() const;
-
-  /**
    * Number of programs built since construction.
    */
   int GetNumberOfProgramBuilds() const { return this->ProgramBuilds; }
 
   virtual void ReleaseGraphicsResources(vtkWindow* window);
+
+  /**
+   * Bytes that a texture of NewTexture takes; 0 for nullptr.
+   */
+  static unsigned long GetBytes(vtkTextureObject* texture);
 
   /**
    * A texture with the format's number of float components, 1 or 4 with 32 bits each, nearest

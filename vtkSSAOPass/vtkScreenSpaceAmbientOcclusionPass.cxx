@@ -3,12 +3,16 @@
 
 #include "vtkBoundingBox.h"
 #include "vtkCameraPass.h"
+#include "vtkDataArray.h"
 #include "vtkHardwareSelector.h"
+#include "vtkImageData.h"
 #include "vtkLightsPass.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpaquePass.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkPixelBufferObject.h"
+#include "vtkPointData.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
@@ -21,12 +25,17 @@
 #include "vtkSSAOOpenGL.h"
 #include "vtkSSAORenderSteps.h"
 #include "vtkSSAOResolveStage.h"
+#include "vtkSSAOShaderFunctions.h"
 #include "vtkSSAOView.h"
 #include "vtkTextureObject.h"
 
+#include <array>
+#include <chrono>
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <string>
+#include <vector>
 
 vtkStandardNewMacro(vtkScreenSpaceAmbientOcclusionPass);
 
@@ -104,6 +113,48 @@ double DiagonalOfOpaqueProps(vtkRenderer* renderer)
   return box.IsValid() ? box.GetDiagonalLength() : 0.0;
 }
 
+//------------------------------------------------------------------------------
+// The part of a texture that lies in the viewport, row by row; empty without a texture.
+std::vector<float> Download(vtkTextureObject* texture, const glm::ivec4& viewport, int components)
+{
+  std::vector<float> values;
+  if (!texture)
+  {
+    return values;
+  }
+  texture->GetContext()->MakeCurrent();
+  const int width = static_cast<int>(texture->GetWidth());
+  const int height = static_cast<int>(texture->GetHeight());
+  std::vector<float> whole(std::size_t(width) * height * components);
+  unsigned int size[2] = { texture->GetWidth(), texture->GetHeight() };
+  vtkIdType increments[2] = { 0, 0 };
+  vtkSmartPointer<vtkPixelBufferObject> buffer;
+  buffer.TakeReference(texture->Download());
+  if (!buffer->Download2D(VTK_FLOAT, whole.data(), size, components, increments))
+  {
+    return values;
+  }
+  for (int row = 0; row < viewport.w; ++row)
+  {
+    const auto first =
+      whole.begin() + (std::ptrdiff_t(viewport.y + row) * width + viewport.x) * components;
+    values.insert(values.end(), first, first + std::ptrdiff_t(viewport.z) * components);
+  }
+  return values;
+}
+
+//------------------------------------------------------------------------------
+// Gives the image one float array of the viewport's size; returns where its pixels go.
+float* NewPixels(
+  vtkImageData* image, const glm::ivec4& viewport, int components, const char* name)
+{
+  image->Initialize();
+  image->SetDimensions(viewport.z, viewport.w, 1);
+  image->AllocateScalars(VTK_FLOAT, components);
+  image->GetPointData()->GetScalars()->SetName(name);
+  return static_cast<float*>(image->GetScalarPointer());
+}
+
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr int LargestKernel = 1024;
 constexpr int LargestNoise = 64;
@@ -133,6 +184,13 @@ public:
   vtkTextureObject* Visibility = nullptr; ///< of this frame, denoised
   glm::ivec4 Viewport = glm::ivec4(0);    ///< of this frame within these textures
   bool Warned = false;
+  std::array<double, NumberOfStages> Times{};
+  std::chrono::steady_clock::time_point StageStart;
+
+  std::array<const vtkSSAOFullScreenStage*, 5> FullScreenStages() const
+  {
+    return { &this->Resolve, &this->Occlusion, &this->Denoise, &this->Modulate, &this->Display };
+  }
 
   void ReleaseGraphicsResources(vtkWindow* window)
   {
@@ -166,6 +224,7 @@ void vtkScreenSpaceAmbientOcclusionPass::Render(const vtkRenderState* s)
   Pipeline& stages = *this->Stages;
   stages.Geometry = nullptr;
   stages.Visibility = nullptr;
+  stages.Times.fill(0.0);
 
   if (s->GetRenderer()->GetSelector())
   {
@@ -236,6 +295,7 @@ int vtkScreenSpaceAmbientOcclusionPass::RenderOpaqueWithOcclusion(const vtkRende
     return stages.Capture->GetNumberOfRenderedProps();
   }
 
+  stages.StageStart = std::chrono::steady_clock::now();
   if (!this->CaptureSurfaces(s, view))
   {
     vtkErrorMacro("The capture framebuffer is incomplete; the scene is drawn without occlusion.");
@@ -284,6 +344,7 @@ bool vtkScreenSpaceAmbientOcclusionPass::CaptureSurfaces(
     stages.Geometry =
       stages.Resolve.Render(view, stages.Geometry) ? stages.Resolve.GetOutput() : nullptr;
   }
+  this->TimeStage(CaptureStage, view);
   return stages.Geometry != nullptr;
 }
 
@@ -301,6 +362,7 @@ bool vtkScreenSpaceAmbientOcclusionPass::ComputeOcclusion(const vtkSSAOView& vie
     return false;
   }
   stages.Visibility = stages.Occlusion.GetOutput();
+  this->TimeStage(OcclusionStage, view);
   return true;
 }
 
@@ -318,6 +380,7 @@ bool vtkScreenSpaceAmbientOcclusionPass::RemoveNoise(const vtkSSAOView& view)
     return false;
   }
   stages.Visibility = stages.Denoise.GetOutput();
+  this->TimeStage(DenoiseStage, view);
   return true;
 }
 
@@ -334,8 +397,10 @@ bool vtkScreenSpaceAmbientOcclusionPass::ModulateLight(const vtkSSAOView& view)
   strength.Intensity = this->Intensity;
   strength.Scale = this->IntensityScale;
   strength.Shift = this->IntensityShift;
-  return stages.Modulate.Render(view, strength, stages.Visibility, stages.Capture->GetOccludable(),
-    stages.Capture->GetLit());
+  const bool drawn = stages.Modulate.Render(
+    view, strength, stages.Visibility, stages.Capture->GetOccludable(), stages.Capture->GetLit());
+  this->TimeStage(ModulateStage, view);
+  return drawn;
 }
 
 //------------------------------------------------------------------------------
@@ -365,6 +430,83 @@ void vtkScreenSpaceAmbientOcclusionPass::WarnOnce(const char* reason)
     this->Stages->Warned = true;
     vtkWarningMacro("No ambient occlusion: " << reason << ". The scene is drawn without it.");
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkScreenSpaceAmbientOcclusionPass::TimeStage(int stage, const vtkSSAOView& view)
+{
+  if (this->StageTiming)
+  {
+    view.Window->WaitForCompletion();
+    const auto now = std::chrono::steady_clock::now();
+    this->Stages->Times[stage] =
+      std::chrono::duration<double>(now - this->Stages->StageStart).count();
+    this->Stages->StageStart = now;
+  }
+}
+
+//------------------------------------------------------------------------------
+double vtkScreenSpaceAmbientOcclusionPass::GetStageTime(int stage) const
+{
+  return stage >= 0 && stage < NumberOfStages ? this->Stages->Times[stage] : 0.0;
+}
+
+//------------------------------------------------------------------------------
+unsigned long vtkScreenSpaceAmbientOcclusionPass::GetTextureMemory() const
+{
+  const Pipeline& stages = *this->Stages;
+  unsigned long bytes = stages.Capture->GetTextureMemory();
+  for (const vtkSSAOFullScreenStage* stage : stages.FullScreenStages())
+  {
+    bytes += vtkSSAOFullScreenStage::GetBytes(stage->GetOutput());
+  }
+  return bytes;
+}
+
+//------------------------------------------------------------------------------
+int vtkScreenSpaceAmbientOcclusionPass::GetNumberOfProgramBuilds() const
+{
+  int builds = 0;
+  for (const vtkSSAOFullScreenStage* stage : this->Stages->FullScreenStages())
+  {
+    builds += stage->GetNumberOfProgramBuilds();
+  }
+  return builds;
+}
+
+//------------------------------------------------------------------------------
+bool vtkScreenSpaceAmbientOcclusionPass::GetVisibility(vtkImageData* image)
+{
+  const glm::ivec4 viewport = this->Stages->Viewport;
+  const std::vector<float> values = Download(this->Stages->Visibility, viewport, 1);
+  if (values.empty())
+  {
+    return false;
+  }
+  std::copy(values.begin(), values.end(), NewPixels(image, viewport, 1, "Visibility"));
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkScreenSpaceAmbientOcclusionPass::GetGeometry(vtkImageData* image)
+{
+  const glm::ivec4 viewport = this->Stages->Viewport;
+  const std::vector<float> values = Download(this->Stages->Geometry, viewport, 4);
+  if (values.empty())
+  {
+    return false;
+  }
+  float* pixel = NewPixels(image, viewport, 7, "Geometry");
+  for (std::size_t i = 0; i < values.size(); i += 4, pixel += 7)
+  {
+    const bool surface = values[i] > 0.0F;
+    const glm::vec3 normal = surface ? shader::ssaoUnpackNormal(values[i + 1]) : glm::vec3(0.0F);
+    const glm::vec3 facet = surface ? shader::ssaoUnpackNormal(values[i + 2]) : glm::vec3(0.0F);
+    pixel[0] = values[i];
+    std::copy(&normal[0], &normal[0] + 3, pixel + 1);
+    std::copy(&facet[0], &facet[0] + 3, pixel + 4);
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -544,5 +686,6 @@ void vtkScreenSpaceAmbientOcclusionPass::PrintSelf(ostream& os, vtkIndent indent
   os << indent << "IntensityShift: " << this->IntensityShift << "\n";
   os << indent << "OutputMode: " << this->OutputMode << "\n";
   os << indent << "DepthFormat: " << this->DepthFormat << "\n";
+  os << indent << "StageTiming: " << (this->StageTiming ? "on" : "off") << "\n";
   os << indent << "VolumeOpacityThreshold: " << this->VolumeOpacityThreshold << "\n";
 }

@@ -32,6 +32,7 @@
 
 #include <memory> // For std::unique_ptr
 
+class vtkImageData;
 class vtkRenderer;
 class vtkSSAOView;
 
@@ -249,6 +250,53 @@ public:
   vtkGetMacro(VolumeOpacityThreshold, double);
   ///@}
 
+  /// The stages of the pipeline, in its order.
+  enum StageType
+  {
+    CaptureStage = 0,
+    OcclusionStage = 1,
+    DenoiseStage = 2,
+    ModulateStage = 3,
+    NumberOfStages = 4
+  };
+
+  ///@{
+  /**
+   * Measure how long each stage takes. Off by default, because the pass then waits for the graphics
+   * card after each stage. GetStageTime() gives seconds of wall time in the last render, 0 if the
+   * stage did not run; the capture includes drawing the opaque props.
+   */
+  vtkSetMacro(StageTiming, bool);
+  vtkGetMacro(StageTiming, bool);
+  vtkBooleanMacro(StageTiming, bool);
+  double GetStageTime(int stage) const;
+  ///@}
+
+  /**
+   * Bytes of graphics memory that the textures of the pass take now.
+   */
+  unsigned long GetTextureMemory() const;
+
+  /**
+   * Number of shader programs that the stages have built since the pass was made, the mappers'
+   * not counted. It stays where it is while parameters change.
+   */
+  int GetNumberOfProgramBuilds() const;
+
+  ///@{
+  /**
+   * The last render as data, in the pixels of the renderer's viewport, bottom row first.
+   * GetVisibility: one float, V after denoising, before Power and Intensity, 1 where no lit opaque
+   * surface is seen. GetGeometry: seven floats, linear view depth in world units (0: no surface),
+   * shading normal and facet normal in view coordinates, towards the viewer.
+   * False, and the image is left alone, if the last render made none: before any render, in output
+   * mode Unoccluded, with Intensity 0 in output mode Composite, or after
+   * ReleaseGraphicsResources.
+   */
+  bool GetVisibility(vtkImageData* image);
+  bool GetGeometry(vtkImageData* image);
+  ///@}
+
   /**
    * Draw the renderer's scene with ambient occlusion into the current framebuffer.
    */
@@ -281,6 +329,7 @@ private:
   int OutputMode = Composite;
   int DepthFormat = 0;
   double VolumeOpacityThreshold = 0.9;
+  bool StageTiming = false;
 
   class Pipeline;
   std::unique_ptr<Pipeline> Stages;
@@ -297,6 +346,7 @@ private:
   bool NeedsBuffers() const;
   void UpdateEffectiveRadius(vtkRenderer* renderer);
   void WarnOnce(const char* reason);
+  void TimeStage(int stage, const vtkSSAOView& view);
   void SetQuality(int kernelSize);
   template <typename Value>
   void SetInRange(const char* name, Value& variable, double value, double low, double high);
