@@ -86,7 +86,7 @@ void vtkSSAORenderSteps::RenderFXAA(vtkOpenGLRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
-void vtkSSAORenderSteps::ReleaseGraphicsResources(vtkWindow* window)
+void vtkSSAORenderSteps::ReleaseGraphicsResources(vtkWindow* /*window*/)
 {
   this->FXAAFilter->ReleaseGraphicsResources();
 }

@@ -28,6 +28,10 @@ namespace
 // being static it outlives every context.
 constexpr int UnusedBufferSize = 4;
 unsigned char UnusedBuffer[4 * UnusedBufferSize * UnusedBufferSize];
+
+constexpr const char* LoadOrderHint = "Is libGL loaded before libOSMesa? Link the executable with "
+                                      "the CMake target vtkSSAOPass::OSMesa, "
+                                      "or preload this library.";
 }
 
 vtkStandardNewMacro(vtkSSAOOSMesaRenderWindow);
@@ -75,12 +79,12 @@ void vtkSSAOOSMesaRenderWindow::DestroyWindow()
     return;
   }
 
-  // Everything in the context has to go while it is current, then another may be current again.
+  // The resources have to go while their context is current; then the caller's is current again.
   this->PushContext();
   this->ReleaseGraphicsResources(this);
   this->PopContext();
 
-  // Without an own one there is none to return to after a PushContext.
+  // The caller had none, or this one.
   if (this->IsCurrent())
   {
     this->ReleaseCurrent();
@@ -107,8 +111,7 @@ void vtkSSAOOSMesaRenderWindow::Initialize()
   // This asks through the functions that VTK itself is bound to.
   if (this->Initialized && this->GetState()->GetVersion().empty())
   {
-    vtkErrorMacro("VTK's OpenGL functions are not those of libOSMesa. Link the executable with "
-                  "vtkSSAOPass::OSMesa, or preload libOSMesa and this library.");
+    vtkErrorMacro("VTK's OpenGL functions are not those of libOSMesa. " << LoadOrderHint);
     this->Initialized = false;
   }
 }
@@ -128,7 +131,8 @@ void vtkSSAOOSMesaRenderWindow::OpenGLInitContext()
     result == GLEW_ERROR_GLX_VERSION_11_ONLY;
   if (!this->GlewInitValid)
   {
-    vtkErrorMacro("GLEW could not be initialized from libOSMesa: " << glewGetErrorString(result));
+    vtkErrorMacro("GLEW could not be initialized from libOSMesa: "
+      << reinterpret_cast<const char*>(glewGetErrorString(result)) << ". " << LoadOrderHint);
     return;
   }
   if (!GLEW_VERSION_3_2)

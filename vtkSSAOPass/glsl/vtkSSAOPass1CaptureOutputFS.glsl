@@ -32,7 +32,11 @@
 #endif
     ssaoFacet = dot(ssaoFacet, ssaoViewer) < 0.0 ? -ssaoFacet : ssaoFacet;
     ssaoNormal = dot(ssaoNormal, ssaoNormal) > 0.25 ? ssaoNormal : ssaoFacet;
-    ssaoNormal = dot(ssaoNormal, ssaoFacet) < 0.0 ? -ssaoNormal : ssaoNormal;
+    // A normal that looks away from the viewer and from the facet belongs to a face wound the other
+    // way. The facet alone is not trusted: on slivers below a pixel its derivatives are noise.
+    ssaoNormal =
+      dot(ssaoNormal, ssaoViewer) < 0.0 && dot(ssaoNormal, ssaoFacet) < 0.0 ? -ssaoNormal : ssaoNormal;
+    ssaoFacet = dot(ssaoNormal, ssaoFacet) < 0.0 ? ssaoNormal : ssaoFacet;
     gl_FragData[1] = vec4(ssaoDepth, ssaoPackNormal(normalize(ssaoNormal)),
       ssaoPackNormal(ssaoFacet), ssaoAlpha < 1.0 ? 0.0 : 1.0);
     gl_FragData[2] = vec4(ssaoPart, ssaoAlpha);
