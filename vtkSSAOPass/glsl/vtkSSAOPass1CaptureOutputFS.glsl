@@ -1,6 +1,8 @@
   // Stage 1, when the colour is final: write what the later stages need. Blending is on while VTK
   // draws, with each output's own alpha: the geometry is replaced (1) or kept (0), light is blended
-  // as the colour is.
+  // as the colour is. An interpolated alpha of 1 may have lost its last bit, so less than half a step
+  // of eight bits counts as opaque.
+#define SSAO_OPAQUE 0.998
 #if defined(SSAO_LIT)
   {
     float ssaoAlpha = gl_FragData[0].a;
@@ -38,13 +40,13 @@
       dot(ssaoNormal, ssaoViewer) < 0.0 && dot(ssaoNormal, ssaoFacet) < 0.0 ? -ssaoNormal : ssaoNormal;
     ssaoFacet = dot(ssaoNormal, ssaoFacet) < 0.0 ? ssaoNormal : ssaoFacet;
     gl_FragData[1] = vec4(ssaoDepth, ssaoPackNormal(normalize(ssaoNormal)),
-      ssaoPackNormal(ssaoFacet), ssaoAlpha < 1.0 ? 0.0 : 1.0);
+      ssaoPackNormal(ssaoFacet), ssaoAlpha < SSAO_OPAQUE ? 0.0 : 1.0);
     gl_FragData[2] = vec4(ssaoPart, ssaoAlpha);
     gl_FragData[3] = vec4(ssaoStored, ssaoAlpha);
   }
 #else
   // Nothing ambient to occlude: no depth, no occludable light.
-  gl_FragData[1] = vec4(0.0, 0.0, 0.0, gl_FragData[0].a < 1.0 ? 0.0 : 1.0);
+  gl_FragData[1] = vec4(0.0, 0.0, 0.0, gl_FragData[0].a < SSAO_OPAQUE ? 0.0 : 1.0);
   gl_FragData[2] = vec4(0.0, 0.0, 0.0, gl_FragData[0].a);
   gl_FragData[3] = gl_FragData[0];
 #endif
