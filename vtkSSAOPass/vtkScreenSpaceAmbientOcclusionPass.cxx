@@ -28,7 +28,10 @@
 #include "vtkSSAOShaderFunctions.h"
 #include "vtkSSAOView.h"
 #include "vtkTextureObject.h"
+#include "vtkWeakPointer.h"
+#include "vtkWindow.h"
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
@@ -184,6 +187,7 @@ public:
   vtkTextureObject* Visibility = nullptr; ///< of this frame, denoised
   glm::ivec4 Viewport = glm::ivec4(0);    ///< of this frame within these textures
   bool Warned = false;
+  vtkWeakPointer<vtkWindow> Window; ///< whose context the textures and programs belong to
   std::array<double, NumberOfStages> Times{};
   std::chrono::steady_clock::time_point StageStart;
 
@@ -225,6 +229,7 @@ void vtkScreenSpaceAmbientOcclusionPass::Render(const vtkRenderState* s)
   stages.Geometry = nullptr;
   stages.Visibility = nullptr;
   stages.Times.fill(0.0);
+  this->FollowWindow(s->GetRenderer()->GetVTKWindow());
 
   if (s->GetRenderer()->GetSelector())
   {
@@ -238,6 +243,17 @@ void vtkScreenSpaceAmbientOcclusionPass::Render(const vtkRenderState* s)
   {
     this->DisplayBuffers(s);
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkScreenSpaceAmbientOcclusionPass::FollowWindow(vtkWindow* window)
+{
+  Pipeline& stages = *this->Stages;
+  if (stages.Window && stages.Window != window)
+  {
+    stages.ReleaseGraphicsResources(stages.Window);
+  }
+  stages.Window = window;
 }
 
 //------------------------------------------------------------------------------
@@ -353,8 +369,9 @@ bool vtkScreenSpaceAmbientOcclusionPass::ComputeOcclusion(const vtkSSAOView& vie
 {
   Pipeline& stages = *this->Stages;
   vtkSSAOOcclusionSettings settings;
-  settings.Radius = stages.EffectiveRadius;
-  settings.Bias = this->Bias < 0.0 ? 0.05 * stages.EffectiveRadius : this->Bias;
+  // A scene without extent has no automatic radius; single precision squares lengths.
+  settings.Radius = std::min(std::max(stages.EffectiveRadius, 1.0e-15), 1.0e15);
+  settings.Bias = this->Bias < 0.0 ? 0.05 * settings.Radius : this->Bias;
   settings.KernelSize = this->KernelSize;
   settings.NoiseSize = this->NoiseSize;
   if (!stages.Occlusion.Render(view, settings, stages.Geometry))

@@ -335,6 +335,7 @@ private:
   std::unique_ptr<Pipeline> Stages;
 
   // Render() in the order of the pipeline.
+  void FollowWindow(vtkWindow* window);
   void RenderScene(const vtkRenderState* s);
   int RenderOpaqueWithOcclusion(const vtkRenderState* s);
   bool CaptureSurfaces(const vtkRenderState* s, const vtkSSAOView& view);
