@@ -7,10 +7,14 @@
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkMapper.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRenderState.h"
 #include "vtkRenderer.h"
@@ -44,8 +48,18 @@ bool VisitActors(vtkProp* prop, Visitor visit)
   prop->InitPathTraversal();
   while (vtkAssemblyPath* path = prop->GetNextPath())
   {
-    vtkActor* actor = vtkActor::SafeDownCast(path->GetLastNode()->GetViewProp());
-    all = all && actor && visit(actor);
+    vtkProp* last = path->GetLastNode()->GetViewProp();
+    // A prop with levels of detail names the actors of all its levels.
+    vtkNew<vtkPropCollection> drawn;
+    last->GetActors(drawn);
+    all = all && drawn->GetNumberOfItems() > 0;
+    vtkCollectionSimpleIterator it;
+    drawn->InitTraversal(it);
+    while (vtkProp* item = all ? drawn->GetNextProp(it) : nullptr)
+    {
+      vtkActor* actor = vtkActor::SafeDownCast(item);
+      all = actor && visit(actor);
+    }
   }
   return all;
 }
@@ -54,8 +68,9 @@ bool VisitActors(vtkProp* prop, Visitor visit)
 // Whether the shaders of all that a prop draws go through the hooks of a render pass.
 bool CanBeCaptured(vtkProp* prop)
 {
-  const bool known = prop->IsA("vtkActor") || prop->IsA("vtkAssembly") ||
-    prop->IsA("vtkPropAssembly") || prop->IsA("vtkLODProp3D");
+  // A sky is an actor that draws by another one, without these hooks.
+  const bool known = (prop->IsA("vtkActor") && !prop->IsA("vtkSkybox")) ||
+    prop->IsA("vtkAssembly") || prop->IsA("vtkPropAssembly") || prop->IsA("vtkLODProp3D");
   return known &&
     VisitActors(prop,
       [](vtkActor* actor)
@@ -110,8 +125,8 @@ bool Contains(const std::string& text, const char* part)
 void vtkSSAOCapturePass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Weights: " << this->Weights.x << " " << this->Weights.y << " "
-     << this->Weights.z << "\n";
+  os << indent << "Weights: " << this->Weights.x << " " << this->Weights.y << " " << this->Weights.z
+     << "\n";
   os << indent << "Surfaces: " << (this->Surfaces ? "yes" : "no") << "\n";
 }
 
@@ -150,8 +165,7 @@ bool vtkSSAOCapturePass::Capture(const vtkRenderState* s, const vtkSSAOView& vie
     {
       props.push_back(prop);
       mayExceed = mayExceed ||
-        !VisitActors(
-          prop, [light](vtkActor* actor) { return !MayExceedPicture(actor, light); });
+        !VisitActors(prop, [light](vtkActor* actor) { return !MayExceedPicture(actor, light); });
     }
     else
     {
@@ -248,6 +262,8 @@ bool vtkSSAOCapturePass::Attach(const vtkSSAOView& view, unsigned int outputs)
 //------------------------------------------------------------------------------
 void vtkSSAOCapturePass::Detach(const vtkSSAOView& view, unsigned int outputs)
 {
+  // By way of none: VTK's cache does not notice that fewer buffers are asked for.
+  view.Framebuffer->DeactivateDrawBuffers();
   view.Framebuffer->ActivateDrawBuffers(1);
   for (unsigned int i = 1; i < outputs; ++i)
   {
@@ -270,26 +286,35 @@ bool vtkSSAOCapturePass::PreReplaceShaderValues(std::string& /*vertexShader*/,
 
 //------------------------------------------------------------------------------
 bool vtkSSAOCapturePass::PostReplaceShaderValues(std::string& /*vertexShader*/,
-  std::string& /*geometryShader*/, std::string& fragmentShader, vtkAbstractMapper* /*mapper*/,
+  std::string& /*geometryShader*/, std::string& fragmentShader, vtkAbstractMapper* mapper,
   vtkProp* prop)
 {
   vtkActor* actor = vtkActor::SafeDownCast(prop);
   const bool sprite = Contains(fragmentShader, "ZCalcS");
-  const bool surface = sprite || !actor ||
-    actor->GetProperty()->GetRepresentation() == VTK_SURFACE;
+  // Sphere and stick impostors compute position and normal after derivatives could be taken.
+  const bool impostor = sprite || Contains(fragmentShader, "radiusVCVSOutput");
+  // VTK lights lines and points too if they have normals.
+  vtkPolyDataMapper* polyDataMapper = vtkPolyDataMapper::SafeDownCast(mapper);
+  vtkPolyData* data = polyDataMapper ? polyDataMapper->GetInput() : nullptr;
+  const bool faces = !data || data->GetNumberOfPolys() > 0 || data->GetNumberOfStrips() > 0;
+  const bool surface =
+    impostor || (faces && (!actor || actor->GetProperty()->GetRepresentation() == VTK_SURFACE));
   const bool pbr = Contains(fragmentShader, "  color += Lo;\n");
   const bool lit = surface && Contains(fragmentShader, "vec4 vertexVC") &&
     Contains(fragmentShader, "vec3 normalVCVSOutput") && Contains(fragmentShader, LightTag) &&
-    (pbr || (Contains(fragmentShader, "vec3 diffuse =") && Contains(fragmentShader, "ambientColor")));
-  // Sphere and stick impostors compute position and normal after derivatives could be taken.
-  const bool impostor = sprite || Contains(fragmentShader, "radiusVCVSOutput");
+    (pbr ||
+      (Contains(fragmentShader, "vec3 diffuse =") && Contains(fragmentShader, "ambientColor")));
 
   std::string declarations;
   declarations += lit ? "#define SSAO_LIT\n" : "";
   declarations += lit && pbr ? "#define SSAO_PBR\n" : "";
   declarations += sprite ? "#define SSAO_SPRITE\n" : "";
   declarations += impostor ? "#define SSAO_IMPOSTOR\n" : "";
-  declarations += Contains(fragmentShader, "float emix") ? "#define SSAO_EDGES\n" : "";
+  // Edges are mixed into the ambient colour unlit, or as tubes into all colours.
+  declarations += Contains(fragmentShader, "mix( ambientColor, edgeColor, emix)") && !pbr
+    ? "#define SSAO_EDGES vec3(edgeColor * emix)\n"
+    : "";
+  declarations += Contains(fragmentShader, "float emix") ? "#define SSAO_EDGE_MIX emix\n" : "";
   declarations += vtkSSAOPass1CaptureDeclarationsFS;
   declarations += vtkSSAOPass0Functions;
   vtkShaderProgram::Substitute(

@@ -9,15 +9,31 @@
 
 #include "vtkSSAOFullScreenStage.h"
 
+struct vtkSSAODenoiseSettings
+{
+  int Denoiser = 0;    ///< DenoiserType of the public class, not None
+  int NoiseSize = 4;   ///< edge of the noise tile, which the mean spans, in pixels
+  double Radius = 1.0; ///< of the estimator, in world units
+};
+
 class vtkSSAODenoiseStage : public vtkSSAOFullScreenStage
 {
 public:
   /**
-   * Draws to the output texture (one component) with the denoiser Box, or EdgeAware if edgeAware.
-   * noiseSize: edge of the tile of rotations, which the mean spans, in pixels. False on failure.
+   * Draws to the output texture (one component). False on failure.
    */
-  bool Render(const vtkSSAOView& view, bool edgeAware, int noiseSize, vtkTextureObject* geometry,
-    vtkTextureObject* visibility);
+  bool Render(const vtkSSAOView& view, const vtkSSAODenoiseSettings& settings,
+    vtkTextureObject* geometry, vtkTextureObject* visibility);
+
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+  unsigned long GetTextureMemory() const override;
+
+private:
+  bool RenderAlong(const vtkSSAOView& view, const vtkSSAODenoiseSettings& settings, bool across,
+    vtkTextureObject* geometry, vtkTextureObject* visibility,
+    vtkSmartPointer<vtkTextureObject>* target);
+
+  vtkSmartPointer<vtkTextureObject> Across; // SeparableGaussian, after the first of its two steps
 };
 
 #endif

@@ -23,11 +23,12 @@ vtkSSAOFullScreenStage::~vtkSSAOFullScreenStage() = default;
 //------------------------------------------------------------------------------
 void vtkSSAOFullScreenStage::ReleaseGraphicsResources(vtkWindow* window)
 {
-  if (this->Quad)
+  for (auto& quad : this->Quads)
   {
-    this->Quad->ReleaseGraphicsResources(window);
-    this->Quad.reset();
+    quad.second->ReleaseGraphicsResources(window);
   }
+  this->Quads.clear();
+  this->Quad = nullptr;
   this->Framebuffer->ReleaseGraphicsResources(window);
   if (this->Output)
   {
@@ -66,17 +67,18 @@ vtkSmartPointer<vtkTextureObject> vtkSSAOFullScreenStage::NewTexture(
 vtkShaderProgram* vtkSSAOFullScreenStage::UseProgram(
   vtkOpenGLRenderWindow* window, const std::string& fragmentShader)
 {
-  if (!this->Quad || this->Source != fragmentShader)
+  std::unique_ptr<vtkOpenGLQuadHelper>& quad = this->Quads[fragmentShader];
+  if (!quad)
   {
-    this->Source = fragmentShader;
-    this->Quad.reset(new vtkOpenGLQuadHelper(
-      window, vtkSSAOPassFullScreenVS, fragmentShader.c_str(), ""));
+    quad.reset(
+      new vtkOpenGLQuadHelper(window, vtkSSAOPassFullScreenVS, fragmentShader.c_str(), ""));
     ++this->ProgramBuilds;
   }
   else
   {
-    window->GetShaderCache()->ReadyShaderProgram(this->Quad->Program);
+    window->GetShaderCache()->ReadyShaderProgram(quad->Program);
   }
+  this->Quad = quad.get();
   vtkShaderProgram* program = this->Quad->Program;
   return program && program->GetCompiled() ? program : nullptr;
 }
@@ -101,19 +103,30 @@ void vtkSSAOFullScreenStage::Draw(const vtkSSAOView& view)
 //------------------------------------------------------------------------------
 bool vtkSSAOFullScreenStage::DrawToOutput(const vtkSSAOView& view, int components)
 {
-  const glm::ivec2 size = view.TextureSize;
-  if (!this->Output || this->OutputComponents != components)
+  if (this->OutputComponents != components)
   {
-    this->Output = NewTexture(view.Window, size.x, size.y, components, 0);
+    this->Output = nullptr;
     this->OutputComponents = components;
   }
-  this->Output->Resize(size.x, size.y);
+  return this->DrawToTexture(view, components, this->Output);
+}
+
+//------------------------------------------------------------------------------
+bool vtkSSAOFullScreenStage::DrawToTexture(
+  const vtkSSAOView& view, int components, vtkSmartPointer<vtkTextureObject>& texture)
+{
+  const glm::ivec2 size = view.TextureSize;
+  if (!texture)
+  {
+    texture = NewTexture(view.Window, size.x, size.y, components, 0);
+  }
+  texture->Resize(size.x, size.y);
 
   vtkOpenGLState* state = view.Window->GetState();
   state->PushFramebufferBindings();
   this->Framebuffer->SetContext(view.Window);
   this->Framebuffer->Bind();
-  this->Framebuffer->AddColorAttachment(0, this->Output);
+  this->Framebuffer->AddColorAttachment(0, texture);
   this->Framebuffer->ActivateDrawBuffers(1);
   const char* description = nullptr;
   const bool complete =

@@ -3,8 +3,8 @@
  * @class   vtkSSAOFullScreenStage
  * @brief   What the stages that draw one quad over the viewport share.
  *
- * A stage has one program, kept until the text of its shader changes, and may have one output
- * texture, which shares the pixel coordinates of the renderer's framebuffer.
+ * A stage has one program for each text of its shader that it was ever drawn with, and may have one
+ * output texture, which shares the pixel coordinates of the renderer's framebuffer.
  */
 
 #ifndef vtkSSAOFullScreenStage_h
@@ -13,6 +13,7 @@
 #include "vtkNew.h"          // For members
 #include "vtkSmartPointer.h" // For members
 
+#include <map>
 #include <memory>
 #include <string>
 
@@ -45,6 +46,11 @@ public:
   virtual void ReleaseGraphicsResources(vtkWindow* window);
 
   /**
+   * Bytes that the textures of the stage take now.
+   */
+  virtual unsigned long GetTextureMemory() const { return GetBytes(this->Output); }
+
+  /**
    * Bytes that a texture of NewTexture takes; 0 for nullptr.
    */
   static unsigned long GetBytes(vtkTextureObject* texture);
@@ -74,9 +80,15 @@ protected:
    */
   bool DrawToOutput(const vtkSSAOView& view, int components);
 
+  /**
+   * The same with another texture, which is made if it is nullptr.
+   */
+  bool DrawToTexture(
+    const vtkSSAOView& view, int components, vtkSmartPointer<vtkTextureObject>& texture);
+
 private:
-  std::unique_ptr<vtkOpenGLQuadHelper> Quad;
-  std::string Source;
+  std::map<std::string, std::unique_ptr<vtkOpenGLQuadHelper>> Quads; // by fragment shader
+  vtkOpenGLQuadHelper* Quad = nullptr;                               // the one in use
   int ProgramBuilds = 0;
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
   vtkSmartPointer<vtkTextureObject> Output;

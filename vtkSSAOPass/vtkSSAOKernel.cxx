@@ -33,6 +33,32 @@ std::array<double, Dimension> Quasirandom(int index)
   }
   return element;
 }
+
+//------------------------------------------------------------------------------
+// Two numbers from 0 to 1 to a unit vector, uniform over the sphere.
+glm::dvec3 Direction(double height, double turn)
+{
+  const double z = height * 2.0 - 1.0;
+  const double angle = glm::two_pi<double>() * turn;
+  const double across = std::sqrt(1.0 - z * z);
+  return { across * std::cos(angle), across * std::sin(angle), z };
+}
+
+//------------------------------------------------------------------------------
+// For each value its place among the sorted values.
+std::vector<std::size_t> Ranks(const std::vector<double>& values)
+{
+  std::vector<std::size_t> sorted(values.size());
+  std::iota(sorted.begin(), sorted.end(), std::size_t(0));
+  std::sort(sorted.begin(), sorted.end(),
+    [&values](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+  std::vector<std::size_t> ranks(values.size());
+  for (std::size_t rank = 0; rank < sorted.size(); ++rank)
+  {
+    ranks[sorted[rank]] = rank;
+  }
+  return ranks;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -52,7 +78,66 @@ std::vector<glm::vec4> vtkSSAOHemisphereKernel(int size)
 }
 
 //------------------------------------------------------------------------------
+std::vector<glm::vec4> vtkSSAOSphereKernel(int size)
+{
+  std::vector<glm::vec4> kernel;
+  kernel.reserve(size);
+  for (int i = 0; i < size; ++i)
+  {
+    if (i % 2 == 1)
+    {
+      kernel.push_back(-kernel.back());
+      continue;
+    }
+    const std::array<double, 2> random = Quasirandom<2>(i / 2);
+    const double length = std::pow(1.0 + 2.4 / size, std::min(i + 2, size) - size);
+    kernel.emplace_back(Direction(random[0], random[1]) * length, 0.0);
+  }
+  return kernel;
+}
+
+//------------------------------------------------------------------------------
+std::vector<glm::vec4> vtkSSAOBallKernel(int size)
+{
+  std::vector<glm::vec4> kernel;
+  kernel.reserve(size);
+  for (int i = 0; i < size; ++i)
+  {
+    const std::array<double, 3> random = Quasirandom<3>(i);
+    kernel.emplace_back(Direction(random[0], random[1]) * std::cbrt(random[2]), 0.0);
+  }
+  return kernel;
+}
+
+//------------------------------------------------------------------------------
+std::vector<glm::vec4> vtkSSAOCubeKernel(int size)
+{
+  std::vector<glm::vec4> kernel;
+  kernel.reserve(size);
+  for (int i = 0; i < size; ++i)
+  {
+    const std::array<double, 3> random = Quasirandom<3>(i);
+    const double share = static_cast<double>(i) / size;
+    kernel.emplace_back((glm::dvec3(random[0], random[1], random[2]) * 2.0 - 1.0) *
+        (0.1 + 0.9 * share * share),
+      0.0);
+  }
+  return kernel;
+}
+
+//------------------------------------------------------------------------------
 std::vector<glm::vec2> vtkSSAORotationTile(int size)
+{
+  std::vector<glm::vec2> tile;
+  for (const glm::vec4& noise : vtkSSAONoiseTile(size))
+  {
+    tile.emplace_back(noise.z, noise.w);
+  }
+  return tile;
+}
+
+//------------------------------------------------------------------------------
+std::vector<glm::vec4> vtkSSAONoiseTile(int size)
 {
   std::vector<double> order;
   for (int y = 0; y < size; ++y)
@@ -64,16 +149,24 @@ std::vector<glm::vec2> vtkSSAORotationTile(int size)
       order.push_back(value - std::floor(value));
     }
   }
-  std::vector<std::size_t> ranked(order.size());
-  std::iota(ranked.begin(), ranked.end(), std::size_t(0));
-  std::sort(ranked.begin(), ranked.end(),
-    [&order](std::size_t a, std::size_t b) { return order[a] < order[b]; });
+  const std::vector<std::size_t> turns = Ranks(order);
 
-  std::vector<glm::vec2> tile(order.size());
-  for (std::size_t rank = 0; rank < ranked.size(); ++rank)
+  // Multiples of the golden ratio, in the order of the turns: a pixel's second number and its first
+  // cover the square evenly.
+  for (std::size_t i = 0; i < turns.size(); ++i)
   {
-    const double angle = glm::two_pi<double>() * rank / ranked.size();
-    tile[ranked[rank]] = glm::dvec2(std::cos(angle), std::sin(angle));
+    const double value = turns[i] * 0.6180339887498949;
+    order[i] = value - std::floor(value);
+  }
+  const std::vector<std::size_t> seconds = Ranks(order);
+
+  std::vector<glm::vec4> tile;
+  for (std::size_t i = 0; i < turns.size(); ++i)
+  {
+    const double turn = static_cast<double>(turns[i]) / turns.size();
+    const double angle = glm::two_pi<double>() * turn;
+    tile.emplace_back(
+      glm::dvec4(turn, (seconds[i] + 0.5) / seconds.size(), std::cos(angle), std::sin(angle)));
   }
   return tile;
 }

@@ -2,20 +2,57 @@
 #include "vtkSSAOOcclusionStage.h"
 
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkSSAOKernel.h"
+#include "vtkSSAOOcclusionSettings.h"
 #include "vtkSSAOPass0Functions.h"
+#include "vtkSSAOPass2CrytekSphere.h"
+#include "vtkSSAOPass2DepthSphere.h"
 #include "vtkSSAOPass2Hemisphere.h"
+#include "vtkSSAOPass2HemisphereLinearDepth.h"
+#include "vtkSSAOPass2HorizonAngle.h"
 #include "vtkSSAOPass2OcclusionFS.h"
+#include "vtkSSAOPass2PositionSphere.h"
+#include "vtkSSAOPass2ReflectedHemisphere.h"
 #include "vtkSSAOPassViewFS.h"
 #include "vtkSSAOView.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
+#include <glm/trigonometric.hpp>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
 namespace
 {
+using Pass = vtkScreenSpaceAmbientOcclusionPass;
+
+//------------------------------------------------------------------------------
+// The shader of an estimator, which defines ssaoVisibility().
+const char* EstimatorSource(int estimator)
+{
+  switch (estimator)
+  {
+    case Pass::CrytekSphere:
+      return vtkSSAOPass2CrytekSphere;
+    case Pass::PositionSphere:
+      return vtkSSAOPass2PositionSphere;
+    case Pass::DepthSphere:
+      return vtkSSAOPass2DepthSphere;
+    case Pass::HemisphereLinearDepth:
+      return vtkSSAOPass2HemisphereLinearDepth;
+    case Pass::ReflectedHemisphere:
+      return vtkSSAOPass2ReflectedHemisphere;
+    case Pass::HorizonAngle:
+      return vtkSSAOPass2HorizonAngle;
+    default:
+      return vtkSSAOPass2Hemisphere;
+  }
+}
+
 //------------------------------------------------------------------------------
 vtkSmartPointer<vtkTextureObject> NewTable(
-  const vtkSSAOView& view, int width, int height, int components, const float* values)
+  const vtkSSAOView& view, int width, int height, const std::vector<glm::vec4>& values)
 {
   auto texture = vtkSmartPointer<vtkTextureObject>::New();
   texture->SetContext(view.Window);
@@ -23,8 +60,29 @@ vtkSmartPointer<vtkTextureObject> NewTable(
   texture->SetMagnificationFilter(vtkTextureObject::Nearest);
   texture->SetWrapS(vtkTextureObject::Repeat);
   texture->SetWrapT(vtkTextureObject::Repeat);
-  texture->Create2DFromRaw(width, height, components, VTK_FLOAT, const_cast<float*>(values));
+  texture->Create2DFromRaw(width, height, 4, VTK_FLOAT, const_cast<float*>(&values[0].x));
   return texture;
+}
+
+//------------------------------------------------------------------------------
+// The controls; a program has those that its estimator reads.
+void SetUniforms(vtkShaderProgram* program, const vtkSSAOOcclusionSettings& settings)
+{
+  program->SetUniformf("radius", static_cast<float>(settings.Radius));
+  program->SetUniformf("bias", static_cast<float>(settings.Bias));
+  program->SetUniformi("kernelSize", settings.KernelSize);
+  program->SetUniformf("noiseSize", static_cast<float>(settings.NoiseSize));
+  program->SetUniformi("rangeCheck", settings.RangeCheck ? 1 : 0);
+  program->SetUniformi("halfRule", settings.HalfRule ? 1 : 0);
+  program->SetUniformf("minimumDifference", static_cast<float>(settings.MinimumDifference));
+  program->SetUniformf("falloffExponent", static_cast<float>(1.0 / settings.Attenuation));
+  program->SetUniformi("falloff", settings.Falloff);
+  program->SetUniformi("directions", settings.Directions);
+  program->SetUniformi("steps", settings.Steps);
+  const double angle = glm::radians(settings.AngleBias);
+  const float angleBias[2] = { static_cast<float>(std::cos(angle)),
+    static_cast<float>(std::sin(angle)) };
+  program->SetUniform2f("angleBias", angleBias);
 }
 
 //------------------------------------------------------------------------------
@@ -47,18 +105,26 @@ void vtkSSAOOcclusionStage::ReleaseGraphicsResources(vtkWindow* window)
 }
 
 //------------------------------------------------------------------------------
+unsigned long vtkSSAOOcclusionStage::GetTextureMemory() const
+{
+  return this->vtkSSAOFullScreenStage::GetTextureMemory() + GetBytes(this->Kernel) +
+    GetBytes(this->Noise);
+}
+
+//------------------------------------------------------------------------------
 void vtkSSAOOcclusionStage::UpdateSamples(
   const vtkSSAOView& view, const vtkSSAOOcclusionSettings& settings)
 {
-  if (!this->Kernel || static_cast<int>(this->Kernel->GetWidth()) != settings.KernelSize)
+  if (!this->Kernel || this->KernelEstimator != settings.Estimator ||
+    static_cast<int>(this->Kernel->GetWidth()) != settings.KernelSize)
   {
-    const std::vector<glm::vec4> kernel = vtkSSAOHemisphereKernel(settings.KernelSize);
-    this->Kernel = NewTable(view, settings.KernelSize, 1, 4, &kernel[0].x);
+    this->Kernel = NewTable(view, settings.KernelSize, 1, settings.MakeKernel());
+    this->KernelEstimator = settings.Estimator;
   }
   if (!this->Noise || static_cast<int>(this->Noise->GetWidth()) != settings.NoiseSize)
   {
-    const std::vector<glm::vec2> tile = vtkSSAORotationTile(settings.NoiseSize);
-    this->Noise = NewTable(view, settings.NoiseSize, settings.NoiseSize, 2, &tile[0].x);
+    this->Noise = NewTable(
+      view, settings.NoiseSize, settings.NoiseSize, vtkSSAONoiseTile(settings.NoiseSize));
   }
 }
 
@@ -71,7 +137,7 @@ bool vtkSSAOOcclusionStage::Render(
   std::string source = vtkSSAOPass2OcclusionFS;
   vtkShaderProgram::Substitute(source, "//SSAO::Functions", vtkSSAOPass0Functions);
   vtkShaderProgram::Substitute(source, "//SSAO::View", vtkSSAOPassViewFS);
-  vtkShaderProgram::Substitute(source, "//SSAO::Estimator", vtkSSAOPass2Hemisphere);
+  vtkShaderProgram::Substitute(source, "//SSAO::Estimator", EstimatorSource(settings.Estimator));
   vtkShaderProgram* program = this->UseProgram(view.Window, source);
   if (!program)
   {
@@ -84,10 +150,7 @@ bool vtkSSAOOcclusionStage::Render(
   program->SetUniformi("geometry", geometry->GetTextureUnit());
   program->SetUniformi("kernelTexture", this->Kernel->GetTextureUnit());
   program->SetUniformi("noiseTexture", this->Noise->GetTextureUnit());
-  program->SetUniformf("radius", static_cast<float>(settings.Radius));
-  program->SetUniformf("bias", static_cast<float>(settings.Bias));
-  program->SetUniformi("kernelSize", settings.KernelSize);
-  program->SetUniformf("noiseSize", static_cast<float>(settings.NoiseSize));
+  SetUniforms(program, settings);
   const bool drawn = this->DrawToOutput(view, 1);
   this->Noise->Deactivate();
   this->Kernel->Deactivate();

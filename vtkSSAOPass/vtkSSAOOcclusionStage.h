@@ -9,16 +9,7 @@
 
 #include "vtkSSAOFullScreenStage.h"
 
-/**
- * What the estimators need, in world units and pixels.
- */
-struct vtkSSAOOcclusionSettings
-{
-  double Radius = 1.0;
-  double Bias = 0.0;
-  int KernelSize = 32;
-  int NoiseSize = 4;
-};
+struct vtkSSAOOcclusionSettings;
 
 class vtkSSAOOcclusionStage : public vtkSSAOFullScreenStage
 {
@@ -31,11 +22,13 @@ public:
     const vtkSSAOView& view, const vtkSSAOOcclusionSettings& settings, vtkTextureObject* geometry);
 
   void ReleaseGraphicsResources(vtkWindow* window) override;
+  unsigned long GetTextureMemory() const override;
 
 private:
   void UpdateSamples(const vtkSSAOView& view, const vtkSSAOOcclusionSettings& settings);
 
   vtkSmartPointer<vtkTextureObject> Kernel;
+  int KernelEstimator = -1; // whose sample points they are
   vtkSmartPointer<vtkTextureObject> Noise;
 };
 

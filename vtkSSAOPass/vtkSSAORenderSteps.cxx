@@ -37,7 +37,15 @@ void vtkSSAORenderSteps::Render(const vtkRenderState* s)
 
   const bool translucent = std::any_of(
     props, end, [](vtkProp* prop) { return prop->HasTranslucentPolygonalGeometry() != 0; });
-  if (translucent)
+  if (translucent && s->GetFrameBuffer() && !renderer->GetUseDepthPeeling())
+  {
+    // VTK's order-independent translucency suits the renderer's own framebuffer only.
+    for (vtkProp** prop = props; prop != end; ++prop)
+    {
+      this->NumberOfRenderedProps += (*prop)->RenderTranslucentPolygonalGeometry(renderer);
+    }
+  }
+  else if (translucent)
   {
     renderer->DeviceRenderTranslucentPolygonalGeometry(s->GetFrameBuffer());
   }
@@ -46,8 +54,7 @@ void vtkSSAORenderSteps::Render(const vtkRenderState* s)
     this->RenderFXAA(renderer);
   }
   // With depth peeling of volumes the translucent step has drawn them.
-  if (!translucent || !renderer->GetUseDepthPeeling() ||
-    !renderer->GetUseDepthPeelingForVolumes())
+  if (!translucent || !renderer->GetUseDepthPeeling() || !renderer->GetUseDepthPeelingForVolumes())
   {
     for (vtkProp** prop = props; prop != end; ++prop)
     {

@@ -117,5 +117,6 @@ void vtkSSAOView::SetUniforms(vtkShaderProgram* program) const
   SetVector(program, "rayToPixel", this->Projection.RayToPixel);
   SetVector(program, "rayOffset", this->Projection.RayOffset);
   SetVector(program, "depthSlope", this->Projection.DepthSlope);
+  SetVector(program, "depthOfWindow", this->Projection.DepthOfWindow);
   program->SetUniformf("perspective", static_cast<float>(this->Projection.Perspective));
 }

@@ -21,6 +21,7 @@
 #include "vtkSSAODenoiseStage.h"
 #include "vtkSSAODisplayStage.h"
 #include "vtkSSAOModulateStage.h"
+#include "vtkSSAOOcclusionSettings.h"
 #include "vtkSSAOOcclusionStage.h"
 #include "vtkSSAOOpenGL.h"
 #include "vtkSSAORenderSteps.h"
@@ -158,9 +159,33 @@ float* NewPixels(
   return static_cast<float*>(image->GetScalarPointer());
 }
 
+//------------------------------------------------------------------------------
+// Directions and steps whose product is nearest to a number of samples, 3 directions for 2 steps as
+// far as that allows.
+std::array<int, 2> NearestDirectionsAndSteps(int samples)
+{
+  const double ideal = std::sqrt(samples / 1.5);
+  std::array<int, 2> best = { samples, 1 };
+  double least = std::numeric_limits<double>::infinity();
+  for (int steps = std::max(1, static_cast<int>(ideal / 1.6)); steps <= 1.6 * ideal + 1.0; ++steps)
+  {
+    const int directions = std::max(1, static_cast<int>(std::lround(double(samples) / steps)));
+    // A product that is off by one weighs more than any proportion.
+    const double cost = std::abs(directions * steps - samples) +
+      0.1 * std::abs(std::log(directions / (1.5 * steps)));
+    if (cost < least)
+    {
+      least = cost;
+      best = { directions, steps };
+    }
+  }
+  return best;
+}
+
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr int LargestKernel = 1024;
 constexpr int LargestNoise = 64;
+constexpr int LargestDirections = 64;
 }
 
 //------------------------------------------------------------------------------
@@ -303,7 +328,7 @@ int vtkScreenSpaceAmbientOcclusionPass::RenderOpaqueWithOcclusion(const vtkRende
   this->UpdateEffectiveRadius(s->GetRenderer());
   if (!view.IsValid() || !this->NeedsBuffers())
   {
-    if (!view.IsValid())
+    if (!view.IsValid() && view.Viewport.z > 0 && view.Viewport.w > 0)
     {
       this->WarnOnce(view.WhyInvalid());
     }
@@ -368,12 +393,7 @@ bool vtkScreenSpaceAmbientOcclusionPass::CaptureSurfaces(
 bool vtkScreenSpaceAmbientOcclusionPass::ComputeOcclusion(const vtkSSAOView& view)
 {
   Pipeline& stages = *this->Stages;
-  vtkSSAOOcclusionSettings settings;
-  // A scene without extent has no automatic radius; single precision squares lengths.
-  settings.Radius = std::min(std::max(stages.EffectiveRadius, 1.0e-15), 1.0e15);
-  settings.Bias = this->Bias < 0.0 ? 0.05 * settings.Radius : this->Bias;
-  settings.KernelSize = this->KernelSize;
-  settings.NoiseSize = this->NoiseSize;
+  const vtkSSAOOcclusionSettings settings = vtkSSAOOcclusionSettings::Of(this);
   if (!stages.Occlusion.Render(view, settings, stages.Geometry))
   {
     return false;
@@ -391,8 +411,11 @@ bool vtkScreenSpaceAmbientOcclusionPass::RemoveNoise(const vtkSSAOView& view)
   {
     return true;
   }
-  if (!stages.Denoise.Render(
-        view, this->Denoiser == EdgeAware, this->NoiseSize, stages.Geometry, stages.Visibility))
+  vtkSSAODenoiseSettings settings;
+  settings.Denoiser = this->Denoiser;
+  settings.NoiseSize = this->NoiseSize;
+  settings.Radius = stages.EffectiveRadius;
+  if (!stages.Denoise.Render(view, settings, stages.Geometry, stages.Visibility))
   {
     return false;
   }
@@ -475,7 +498,7 @@ unsigned long vtkScreenSpaceAmbientOcclusionPass::GetTextureMemory() const
   unsigned long bytes = stages.Capture->GetTextureMemory();
   for (const vtkSSAOFullScreenStage* stage : stages.FullScreenStages())
   {
-    bytes += vtkSSAOFullScreenStage::GetBytes(stage->GetOutput());
+    bytes += stage->GetTextureMemory();
   }
   return bytes;
 }
@@ -540,6 +563,13 @@ double vtkScreenSpaceAmbientOcclusionPass::GetEffectiveRadius() const
 }
 
 //------------------------------------------------------------------------------
+double vtkScreenSpaceAmbientOcclusionPass::GetEffectiveBias() const
+{
+  const double automatic = this->Estimator == Hemisphere ? 0.05 * this->GetEffectiveRadius() : 0.0;
+  return this->Bias < 0.0 ? automatic : this->Bias;
+}
+
+//------------------------------------------------------------------------------
 template <typename Value>
 void vtkScreenSpaceAmbientOcclusionPass::SetInRange(
   const char* name, Value& variable, double value, double low, double high)
@@ -595,13 +625,55 @@ void vtkScreenSpaceAmbientOcclusionPass::SetQualityToAccurate()
 //------------------------------------------------------------------------------
 void vtkScreenSpaceAmbientOcclusionPass::SetEstimator(int estimator)
 {
-  this->SetInRange("Estimator", this->Estimator, estimator, Hemisphere, Hemisphere);
+  this->SetInRange("Estimator", this->Estimator, estimator, CrytekSphere, HorizonAngle);
 }
 
 //------------------------------------------------------------------------------
 void vtkScreenSpaceAmbientOcclusionPass::SetKernelSize(int size)
 {
   this->SetInRange("KernelSize", this->KernelSize, size, 1, LargestKernel);
+  if (this->Estimator == HorizonAngle && this->KernelSize == size)
+  {
+    const std::array<int, 2> factors = NearestDirectionsAndSteps(size);
+    this->SetDirections(factors[0]);
+    this->SetSteps(factors[1]);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkScreenSpaceAmbientOcclusionPass::SetDirections(int directions)
+{
+  this->SetInRange("Directions", this->Directions, directions, 1, LargestDirections);
+}
+
+//------------------------------------------------------------------------------
+void vtkScreenSpaceAmbientOcclusionPass::SetSteps(int steps)
+{
+  this->SetInRange("Steps", this->Steps, steps, 1, LargestDirections);
+}
+
+//------------------------------------------------------------------------------
+void vtkScreenSpaceAmbientOcclusionPass::SetAngleBias(double degrees)
+{
+  this->SetInRange("AngleBias", this->AngleBias, degrees, 0.0, 89.0);
+}
+
+//------------------------------------------------------------------------------
+void vtkScreenSpaceAmbientOcclusionPass::SetMinimumDifference(double share)
+{
+  this->SetInRange("MinimumDifference", this->MinimumDifference, share, 0.0, 1.0);
+}
+
+//------------------------------------------------------------------------------
+void vtkScreenSpaceAmbientOcclusionPass::SetFalloff(int falloff)
+{
+  this->SetInRange("Falloff", this->Falloff, falloff, PowerFalloff, InverseSquareFalloff);
+}
+
+//------------------------------------------------------------------------------
+void vtkScreenSpaceAmbientOcclusionPass::SetAttenuation(double attenuation)
+{
+  this->SetInRange("Attenuation", this->Attenuation, attenuation, 0.01, 100.0);
 }
 
 //------------------------------------------------------------------------------
@@ -625,12 +697,6 @@ void vtkScreenSpaceAmbientOcclusionPass::SetBiasToAutomatic()
 //------------------------------------------------------------------------------
 void vtkScreenSpaceAmbientOcclusionPass::SetDenoiser(int denoiser)
 {
-  if (denoiser != None && denoiser != Box && denoiser != EdgeAware)
-  {
-    vtkErrorMacro(<< "Denoiser " << denoiser << " is refused: it is unknown. It stays "
-                  << this->Denoiser << ".");
-    return;
-  }
   this->SetInRange("Denoiser", this->Denoiser, denoiser, None, EdgeAware);
 }
 
@@ -693,8 +759,17 @@ void vtkScreenSpaceAmbientOcclusionPass::PrintSelf(ostream& os, vtkIndent indent
   os << indent << "EffectiveRadius: " << this->GetEffectiveRadius() << "\n";
   os << indent << "Estimator: " << this->Estimator << "\n";
   os << indent << "KernelSize: " << this->KernelSize << "\n";
+  os << indent << "Directions: " << this->Directions << "\n";
+  os << indent << "Steps: " << this->Steps << "\n";
+  os << indent << "AngleBias: " << this->AngleBias << "\n";
+  os << indent << "HalfRule: " << (this->HalfRule ? "on" : "off") << "\n";
+  os << indent << "RangeCheck: " << (this->RangeCheck ? "on" : "off") << "\n";
+  os << indent << "MinimumDifference: " << this->MinimumDifference << "\n";
+  os << indent << "Falloff: " << this->Falloff << "\n";
+  os << indent << "Attenuation: " << this->Attenuation << "\n";
   os << indent << "NoiseSize: " << this->NoiseSize << "\n";
   os << indent << "Bias: " << this->Bias << (this->Bias < 0.0 ? " (automatic)" : "") << "\n";
+  os << indent << "EffectiveBias: " << this->GetEffectiveBias() << "\n";
   os << indent << "Denoiser: " << this->Denoiser << "\n";
   os << indent << "Modulation: " << this->Modulation << "\n";
   os << indent << "Intensity: " << this->Intensity << "\n";

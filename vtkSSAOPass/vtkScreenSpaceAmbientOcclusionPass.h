@@ -16,8 +16,8 @@
  * Use it with vtkRenderer::SetPass. A delegate is optional: without one the pass draws the scene
  * as the renderer itself would, with the renderer's flags (depth peeling, order-independent
  * translucency, FXAA, hidden line removal). With one, the opaque pass inside it
- * (vtkRenderStepsPass, vtkCameraPass, vtkSequencePass, vtkOpaquePass, vtkDefaultPass or an image
- * processing pass over one of them) is wrapped while it renders.
+ * (vtkRenderStepsPass, vtkCameraPass, vtkSequencePass, vtkOpaquePass or an image processing pass over
+ * one of them) is wrapped while it renders; a delegate without one is drawn without occlusion.
  *
  * All lengths are world units. Radius 0 is automatic.
  *
@@ -46,7 +46,13 @@ public:
   /// How ambient visibility is estimated from the captured buffers.
   enum EstimatorType
   {
-    Hemisphere = 3
+    CrytekSphere = 0,
+    PositionSphere = 1,
+    DepthSphere = 2,
+    Hemisphere = 3,
+    HemisphereLinearDepth = 4,
+    ReflectedHemisphere = 5,
+    HorizonAngle = 6
   };
 
   /// How the noise of the estimate is removed.
@@ -54,7 +60,17 @@ public:
   {
     None = 0,
     Box = 1,
+    BoxCentered = 2,
+    SeparableGaussian = 3,
     EdgeAware = 4
+  };
+
+  /// How the weight of an occluder falls with its distance, for ReflectedHemisphere.
+  enum FalloffType
+  {
+    PowerFalloff = 0,
+    NullSquareFalloff = 1,
+    InverseSquareFalloff = 2
   };
 
   /// Which part of the light is ambient, so that occlusion may take it away.
@@ -102,21 +118,46 @@ public:
 
   ///@{
   /**
-   * The estimator of ambient visibility. Hemisphere (default): the normal-oriented hemisphere of
-   * Chapman ("SSAO Tutorial", 2013) and LearnOpenGL: KernelSize points in the hemisphere above the
-   * surface, turned per pixel by a tile of NoiseSize x NoiseSize rotations, count as hidden when
-   * the captured surface lies in front of them by more than Bias and within about Radius.
+   * The estimator of ambient visibility, by the system it stands for. Those that know of points
+   * count a point as hidden when the captured surface lies in front of it. In all of them samples
+   * outside the picture are skipped and leave the divisor (the sources take the nearest pixel of the
+   * border), and all lengths scale with the radius.
+   *
+   * CrytekSphere: Crytek, 2007 (Mittring, "Finding Next Gen: CryEngine 2"). KernelSize points in the
+   * ball about the surface, reflected per pixel by the noise tile; no normal. See HalfRule,
+   * RangeCheck.
+   * PositionSphere: OGLdev, tutorial 45. KernelSize (128 in the source) fixed points in a cube about
+   * the surface; visibility is squared. See RangeCheck. No noise.
+   * DepthSphere: OGLdev, tutorial 46. The same with positions rebuilt from a depth buffer of 32 bits,
+   * and as exact as that is: the nearer the near end of the clipping range, the less.
+   * Hemisphere (default): Chapman, "SSAO Tutorial", 2013, and LearnOpenGL, "SSAO". KernelSize (64 in
+   * the source) points in the hemisphere above the surface, turned per pixel by the noise tile. See
+   * Bias, RangeCheck.
+   * HemisphereLinearDepth: the older version of LearnOpenGL, "SSAO". The same without bias.
+   * ReflectedHemisphere: the SSAO image effect of Unity's standard assets. KernelSize (8, 14 or 26 in
+   * the source) points reflected per pixel by the noise tile, turned to the normal's side and pushed
+   * by 0.3 along the normal. See MinimumDifference, Attenuation, Falloff.
+   * HorizonAngle: HBAO (Bavoil, Sainz, Dimitrov, "Image-Space Horizon-Based Ambient Occlusion",
+   * 2008). The horizon above the tangent plane in Directions x Steps samples. See AngleBias.
+   *
    * An unknown value is refused with an error.
    */
   void SetEstimator(int estimator);
   vtkGetMacro(Estimator, int);
+  void SetEstimatorToCrytekSphere() { this->SetEstimator(CrytekSphere); }
+  void SetEstimatorToPositionSphere() { this->SetEstimator(PositionSphere); }
+  void SetEstimatorToDepthSphere() { this->SetEstimator(DepthSphere); }
   void SetEstimatorToHemisphere() { this->SetEstimator(Hemisphere); }
+  void SetEstimatorToHemisphereLinearDepth() { this->SetEstimator(HemisphereLinearDepth); }
+  void SetEstimatorToReflectedHemisphere() { this->SetEstimator(ReflectedHemisphere); }
+  void SetEstimatorToHorizonAngle() { this->SetEstimator(HorizonAngle); }
   ///@}
 
   ///@{
   /**
-   * Number of sample points per pixel. Range [1, 1024], default 32. A value out of range is
-   * refused with an error.
+   * Number of sample points per pixel. Range [1, 1024], default 32. Set while the estimator is
+   * HorizonAngle, which has none, it also sets Directions and Steps to those with the nearest
+   * product, about 3 directions for 2 steps. A value out of range is refused with an error.
    */
   void SetKernelSize(int size);
   vtkGetMacro(KernelSize, int);
@@ -124,8 +165,88 @@ public:
 
   ///@{
   /**
-   * Edge length of the tile of random rotations, in pixels. Range [1, 64], default 4; 1 uses one
-   * rotation for all pixels, which shows as banding. The denoisers span one tile.
+   * HorizonAngle: number of directions about a pixel, and of samples in each. Range [1, 64] each,
+   * defaults 6 and 4, as in NVIDIA's sample. A value out of range is refused with an error.
+   */
+  void SetDirections(int directions);
+  vtkGetMacro(Directions, int);
+  void SetSteps(int steps);
+  vtkGetMacro(Steps, int);
+  ///@}
+
+  ///@{
+  /**
+   * HorizonAngle: elevation above the tangent plane below which nothing occludes, in degrees, so that
+   * the facets of a coarse mesh do not show. Range [0, 89], default 30, as in NVIDIA's sample.
+   * A value out of range is refused with an error.
+   */
+  void SetAngleBias(double degrees);
+  vtkGetMacro(AngleBias, double);
+  ///@}
+
+  ///@{
+  /**
+   * CrytekSphere: with V the share of points that is not hidden, the visibility is min(1, 2 V) (on,
+   * default), so that only what is hidden beyond one half counts, or V (off), which leaves open
+   * surfaces grey.
+   */
+  vtkSetMacro(HalfRule, bool);
+  vtkGetMacro(HalfRule, bool);
+  vtkBooleanMacro(HalfRule, bool);
+  ///@}
+
+  ///@{
+  /**
+   * CrytekSphere, PositionSphere, DepthSphere, Hemisphere, HemisphereLinearDepth: whether a surface
+   * that lies farther in front than the radius counts less (on, default): not at all in the two of
+   * OGLdev, by smoothstep(0, 1, radius / difference of depths) in the others. Off, objects have dark
+   * halos on what is far behind them.
+   */
+  vtkSetMacro(RangeCheck, bool);
+  vtkGetMacro(RangeCheck, bool);
+  vtkBooleanMacro(RangeCheck, bool);
+  ///@}
+
+  ///@{
+  /**
+   * ReflectedHemisphere: the depth by which a surface must lie in front of a sample point to hide it,
+   * as a share of the radius. Range [0, 1], default 0.01 ("MinZ" of the source). A value out of range
+   * is refused with an error.
+   */
+  void SetMinimumDifference(double share);
+  vtkGetMacro(MinimumDifference, double);
+  ///@}
+
+  ///@{
+  /**
+   * ReflectedHemisphere: how the weight of an occluder depends on z, the depth by which it lies in
+   * front of the sample point, as a share of the radius from 0 to 1. PowerFalloff (default):
+   * (1 - z)^(1 / Attenuation). NullSquareFalloff: 1 - min(1, (1 - z)^11 + z). InverseSquareFalloff:
+   * 1 / (1 + 10 z^2), which does not fall to 0. The latter two stand in the source as alternatives,
+   * commented out. An unknown value is refused with an error.
+   */
+  void SetFalloff(int falloff);
+  vtkGetMacro(Falloff, int);
+  void SetFalloffToPower() { this->SetFalloff(PowerFalloff); }
+  void SetFalloffToNullSquare() { this->SetFalloff(NullSquareFalloff); }
+  void SetFalloffToInverseSquare() { this->SetFalloff(InverseSquareFalloff); }
+  ///@}
+
+  ///@{
+  /**
+   * ReflectedHemisphere with PowerFalloff: above 1 far occluders count more, below less. Range
+   * [0.01, 100], default 1; the source offers 0.2 to 2. A value out of range is refused with an
+   * error.
+   */
+  void SetAttenuation(double attenuation);
+  vtkGetMacro(Attenuation, double);
+  ///@}
+
+  ///@{
+  /**
+   * Edge length of the tile of random numbers, in pixels: the rotations, reflections and shifts that
+   * differ from pixel to pixel. Range [1, 64], default 4; 1 uses the same for all pixels, which shows
+   * as banding. The denoisers span one tile.
    * A value out of range is refused with an error.
    */
   void SetNoiseSize(int size);
@@ -134,28 +255,45 @@ public:
 
   ///@{
   /**
-   * How far the captured surface must lie in front of a sample point to hide it, in world units.
-   * Automatic by default: 0.05 x the effective radius; GetBias() is then -1. Range of SetBias:
-   * [0, inf). The depth that the surface itself gains within half a pixel is always added, so that
-   * a grazing plane does not hide itself. A negative, infinite or NaN value is refused with an
-   * error.
+   * How far the captured surface must lie in front of a sample point to hide it, in world units:
+   * CrytekSphere, PositionSphere, DepthSphere, Hemisphere, HemisphereLinearDepth. Automatic by
+   * default, GetBias() is then -1: 0.05 x the effective radius for Hemisphere, as in its source, and
+   * 0 for the others, whose sources have none. Range of SetBias: [0, inf). In Hemisphere the depth
+   * that the surface itself gains within half a pixel is always added, so that a grazing plane does
+   * not hide itself. A negative, infinite or NaN value is refused with an error.
    */
   void SetBias(double bias);
   void SetBiasToAutomatic();
   vtkGetMacro(Bias, double);
   ///@}
 
+  /**
+   * Bias, or the automatic one for the effective radius, in world units.
+   */
+  double GetEffectiveBias() const;
+
   ///@{
   /**
-   * How the noise of the estimator is removed. None: not at all. Box: the mean over one noise tile
-   * (4x4 pixels at -2..1 for the default NoiseSize), as in the tutorials; leaks over edges.
+   * How the noise of the estimator is removed, over one noise tile of N x N pixels (N = NoiseSize;
+   * with N = 1 there is nothing to remove and all do nothing).
+   * None: not at all.
+   * Box: the plain mean at -N/2 .. N/2 - 1 pixels (LearnOpenGL, "SSAO": -2..1). It leaks over edges,
+   * as the next does.
+   * BoxCentered: the plain mean at -(N-1)/2 .. (N-1)/2 pixels with linear filtering (OGLdev,
+   * tutorial 45: -1.5..1.5), so that the picture does not shift.
+   * SeparableGaussian: across, then down, over N pixels to either side with a standard deviation of
+   * N/2, of the pixels whose depth differs by less than half the radius and whose normal by less than
+   * 41 degrees (Unity's SSAO image effect, whose weights 5 4 3 2 1 have the same variance).
    * EdgeAware (default): the mean over one noise tile of the pixels on the same surface, by
-   * distance from the tangent plane and by normal. An unknown value is refused with an error.
+   * distance from the tangent plane and by normal.
+   * An unknown value is refused with an error.
    */
   void SetDenoiser(int denoiser);
   vtkGetMacro(Denoiser, int);
   void SetDenoiserToNone() { this->SetDenoiser(None); }
   void SetDenoiserToBox() { this->SetDenoiser(Box); }
+  void SetDenoiserToBoxCentered() { this->SetDenoiser(BoxCentered); }
+  void SetDenoiserToSeparableGaussian() { this->SetDenoiser(SeparableGaussian); }
   void SetDenoiserToEdgeAware() { this->SetDenoiser(EdgeAware); }
   ///@}
 
@@ -318,6 +456,14 @@ private:
   double Radius = 0.0;
   int Estimator = Hemisphere;
   int KernelSize = 32;
+  int Directions = 6;
+  int Steps = 4;
+  double AngleBias = 30.0;
+  bool HalfRule = true;
+  bool RangeCheck = true;
+  double MinimumDifference = 0.01;
+  int Falloff = PowerFalloff;
+  double Attenuation = 1.0;
   int NoiseSize = 4;
   double Bias = -1.0;
   int Denoiser = EdgeAware;

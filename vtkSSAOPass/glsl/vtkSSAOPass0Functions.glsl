@@ -96,6 +96,33 @@ float ssaoDepthOfWindow(float windowDepth, vec4 depthOfWindow)
   return -(depthOfWindow.y - ndc * depthOfWindow.w) / (ndc * depthOfWindow.z - depthOfWindow.x);
 }
 
+// The inverse of ssaoDepthOfWindow. The quotient that the depth does not change is taken out first,
+// so that rounding does no more harm than storing the result does.
+float ssaoWindowOfDepth(float depth, vec4 depthOfWindow)
+{
+  bool divides = depthOfWindow.z != float(0.0);
+  float constant = divides ? depthOfWindow.x / depthOfWindow.z : float(0.0);
+  float numerator = divides ? depthOfWindow.y - constant * depthOfWindow.w
+                            : depthOfWindow.y - depthOfWindow.x * depth;
+  float ndc = constant + numerator / (depthOfWindow.w - depthOfWindow.z * depth);
+  return ndc * float(0.5) + float(0.5);
+}
+
+// Whether a position in pixels lies in a viewport (x, y, width, height). False for NaN.
+bool ssaoIsInViewport(vec2 pixel, vec4 viewport)
+{
+  return pixel.x >= viewport.x && pixel.y >= viewport.y && pixel.x < viewport.x + viewport.z &&
+    pixel.y < viewport.y + viewport.w;
+}
+
+// Whether the captured surfaces tell something of a point in VC that projects to a pixel: it must
+// lie in front of the eye and inside the viewport.
+bool ssaoIsInView(vec3 positionVC, vec2 pixel, vec4 viewport, float perspective)
+{
+  return (positionVC.z < float(0.0) || perspective < float(0.5)) &&
+    ssaoIsInViewport(pixel, viewport);
+}
+
 // First tangent of the Gram-Schmidt basis about a unit normal (Chapman, "SSAO Tutorial", 2013).
 // rotation: unit vector (cos, sin) in the view plane. Where it is parallel to the normal the view
 // direction takes its place.
@@ -105,6 +132,15 @@ vec3 ssaoTangent(vec3 normal, vec2 rotation)
   vec3 tangent = random - normal * dot(random, normal);
   vec3 spare = vec3(float(0.0), float(0.0), float(1.0)) - normal * normal.z;
   return normalize(dot(tangent, tangent) > float(0.0001) ? tangent : spare);
+}
+
+// Normal of the plane at which a pixel's sample points are reflected. noise: the pixel's random
+// numbers, see vtkSSAONoiseTile. Over a tile the normals cover one half of the sphere evenly, and the
+// other half would give the same planes.
+vec3 ssaoMirror(vec4 noise)
+{
+  float across = sqrt(float(1.0) - noise.y * noise.y);
+  return vec3(noise.z * across, noise.w * across, noise.y);
 }
 
 // Weight of an occluder by the difference of the depths of surface and occluder: 1 within the

@@ -6,6 +6,10 @@
     ssaoOccludableWeights.y * ssaoDirectDiffuse) * mix(1.0, ao, aoStrengthUniform);
 #elif defined(SSAO_LIT)
   vec3 ssaoLit = gl_FragData[0].rgb;
-  vec3 ssaoOccludable =
-    ssaoOccludableWeights.x * ambientColor + ssaoOccludableWeights.y * diffuse;
+#if defined(SSAO_EDGES)
+  vec3 ssaoAmbient = ambientColor - SSAO_EDGES;
+#else
+  vec3 ssaoAmbient = ambientColor;
+#endif
+  vec3 ssaoOccludable = ssaoOccludableWeights.x * ssaoAmbient + ssaoOccludableWeights.y * diffuse;
 #endif

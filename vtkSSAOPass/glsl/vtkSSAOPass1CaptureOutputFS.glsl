@@ -14,11 +14,17 @@
 #else
     // What textures did to the colour they did to its parts.
     vec3 ssaoTexture = ssaoColor / max(ssaoLit, vec3(1.0e-20));
-    vec3 ssaoStored = ssaoColor;
-    vec3 ssaoPart = ssaoOccludableWeights.z > 0.5 ? ssaoColor : ssaoOccludable * ssaoTexture;
+    vec3 ssaoStored = max(ssaoColor, vec3(0.0));
+    vec3 ssaoPart = ssaoOccludableWeights.z > 0.5
+      ? ssaoStored
+      : max(ssaoOccludable * ssaoTexture, vec3(0.0));
 #endif
 #if defined(SSAO_EDGES)
-    ssaoPart *= 1.0 - emix;
+    ssaoPart = ssaoOccludableWeights.z > 0.5
+      ? max(ssaoColor - SSAO_EDGES * ssaoTexture, vec3(0.0))
+      : ssaoPart;
+#elif defined(SSAO_EDGE_MIX)
+    ssaoPart *= 1.0 - SSAO_EDGE_MIX;
 #endif
 #if defined(SSAO_SPRITE)
     float ssaoDepth = ssaoDepthOfWindow(gl_FragDepth, ssaoDepthOfWindowRows);

@@ -9,7 +9,8 @@ float ssaoVisibility(vec2 pixel, vec4 center)
   vec3 positionVC =
     ssaoPositionVC(pixel, center.x, pixelToRay, rayOffset, depthSlope, perspective);
   vec3 normal = ssaoUnpackNormal(center.y);
-  vec3 tangent = ssaoTangent(normal, ssaoRotationAt(pixel));
+  vec4 noise = ssaoNoiseAt(pixel);
+  vec3 tangent = ssaoTangent(normal, vec2(noise.z, noise.w));
   vec3 bitangent = cross(normal, tangent);
   float slope = ssaoHalfPixelSlope(positionVC, normal, vec2(pixelToRay.x, pixelToRay.z),
     vec2(pixelToRay.y, pixelToRay.w), perspective, radius);
@@ -22,13 +23,12 @@ float ssaoVisibility(vec2 pixel, vec4 center)
     vec3 sampleVC =
       positionVC + (tangent * point.x + bitangent * point.y + normal * point.z) * radius;
     vec2 samplePixel = ssaoPixelOf(sampleVC, rayToPixel, rayOffset, depthSlope, perspective);
-    bool known = (sampleVC.z < float(0.0) || perspective < float(0.5)) &&
-      samplePixel.x >= viewport.x && samplePixel.y >= viewport.y &&
-      samplePixel.x < viewport.x + viewport.z && samplePixel.y < viewport.y + viewport.w;
+    bool known = ssaoIsInView(sampleVC, samplePixel, viewport, perspective);
     float depth = ssaoGeometryAt(samplePixel).x;
     bool behind = depth > float(0.0) && depth <= -sampleVC.z - inFront;
     counted += known ? float(1.0) : float(0.0);
-    hidden += known && behind ? ssaoRangeCheck(center.x - depth, radius) : float(0.0);
+    float weight = rangeCheck == 1 ? ssaoRangeCheck(center.x - depth, radius) : float(1.0);
+    hidden += known && behind ? weight : float(0.0);
   }
   return float(1.0) - hidden / max(counted, float(1.0));
 }

@@ -6,6 +6,7 @@ uniform vec4 pixelToRay;
 uniform vec4 rayToPixel;
 uniform vec4 rayOffset;
 uniform vec2 depthSlope;
+uniform vec4 depthOfWindow; // see ssaoDepthOfWindow
 uniform float perspective;
 
 // The captured surface at a position in pixels, nearest texel.

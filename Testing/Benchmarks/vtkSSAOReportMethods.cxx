@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSSAOReportMethods.h"
+
+#include "vtkNew.h"
+#include "vtkRenderStepsPass.h"
+#include "vtkSSAOPass.h"
+#include "vtkScreenSpaceAmbientOcclusionPass.h"
+
+namespace
+{
+using Pass = vtkScreenSpaceAmbientOcclusionPass;
+
+//------------------------------------------------------------------------------
+// VTK's own pass as applications use it: over the render steps, blur on, bias 1 % of the radius.
+vtkSSAOReportMethod VTKMethod(int kernelSize)
+{
+  vtkSSAOReportMethod method;
+  method.Name = "VTK K=" + std::to_string(kernelSize);
+  method.Family = "vtkSSAOPass (VTK)";
+  method.Samples = kernelSize;
+  method.IsVTK = true;
+  method.NewPass = [kernelSize](double radius)
+  {
+    auto pass = vtkSmartPointer<vtkSSAOPass>::New();
+    vtkNew<vtkRenderStepsPass> steps;
+    pass->SetDelegatePass(steps);
+    pass->SetRadius(radius);
+    pass->SetBias(0.01 * radius);
+    pass->SetKernelSize(kernelSize);
+    pass->BlurOn();
+    return vtkSmartPointer<vtkImageProcessingPass>(pass);
+  };
+  return method;
+}
+
+//------------------------------------------------------------------------------
+vtkSSAOReportMethod OurMethod(const std::string& name, const std::string& family, int samples,
+  const std::function<void(Pass*)>& configure)
+{
+  vtkSSAOReportMethod method;
+  method.Name = name;
+  method.Family = family;
+  method.Samples = samples;
+  method.NewPass = [configure](double radius)
+  {
+    auto pass = vtkSmartPointer<Pass>::New();
+    pass->SetRadius(radius);
+    configure(pass);
+    return vtkSmartPointer<vtkImageProcessingPass>(pass);
+  };
+  return method;
+}
+
+//------------------------------------------------------------------------------
+vtkSSAOReportMethod HemisphereMethod(int kernelSize, int denoiser, const std::string& denoiserName)
+{
+  const std::string family =
+    "Hemisphere" + (denoiserName.empty() ? std::string() : ", " + denoiserName);
+  return OurMethod(family + " K=" + std::to_string(kernelSize), family, kernelSize,
+    [kernelSize, denoiser](Pass* pass)
+    {
+      pass->SetEstimatorToHemisphere();
+      pass->SetKernelSize(kernelSize);
+      pass->SetDenoiser(denoiser);
+    });
+}
+
+//------------------------------------------------------------------------------
+// The other systems with as many samples as their sources use, denoised alike.
+vtkSSAOReportMethod KernelMethod(const std::string& name, int estimator, int kernelSize)
+{
+  return OurMethod(name + " K=" + std::to_string(kernelSize), name, kernelSize,
+    [estimator, kernelSize](Pass* pass)
+    {
+      pass->SetEstimator(estimator);
+      pass->SetKernelSize(kernelSize);
+    });
+}
+
+//------------------------------------------------------------------------------
+vtkSSAOReportMethod HorizonMethod(int directions, int steps)
+{
+  return OurMethod("HorizonAngle " + std::to_string(directions) + "x" + std::to_string(steps),
+    "HorizonAngle", directions * steps,
+    [directions, steps](Pass* pass)
+    {
+      pass->SetEstimatorToHorizonAngle();
+      pass->SetDirections(directions);
+      pass->SetSteps(steps);
+    });
+}
+
+//------------------------------------------------------------------------------
+void AddSystems(std::vector<vtkSSAOReportMethod>& methods)
+{
+  methods.push_back(KernelMethod("CrytekSphere", Pass::CrytekSphere, 32));
+  methods.push_back(KernelMethod("PositionSphere", Pass::PositionSphere, 128));
+  methods.push_back(KernelMethod("DepthSphere", Pass::DepthSphere, 128));
+  methods.push_back(KernelMethod("HemisphereLinearDepth", Pass::HemisphereLinearDepth, 64));
+  methods.push_back(KernelMethod("ReflectedHemisphere", Pass::ReflectedHemisphere, 26));
+  methods.push_back(HorizonMethod(6, 4));
+  methods.push_back(HemisphereMethod(32, Pass::Box, "box"));
+  methods.push_back(HemisphereMethod(32, Pass::BoxCentered, "centred box"));
+  methods.push_back(HemisphereMethod(32, Pass::SeparableGaussian, "Gaussian"));
+  methods.push_back(HemisphereMethod(32, Pass::None, "raw"));
+}
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkSSAOReportMethod> vtkSSAOReportMethods(bool quick)
+{
+  std::vector<vtkSSAOReportMethod> methods;
+  for (int kernelSize : { 32, 64, 256 })
+  {
+    methods.push_back(VTKMethod(kernelSize));
+  }
+  methods.push_back(OurMethod("Fast", "Preset", 0, [](Pass* pass) { pass->SetQualityToFast(); }));
+  methods.push_back(
+    OurMethod("Balanced", "Preset", 0, [](Pass* pass) { pass->SetQualityToBalanced(); }));
+  methods.push_back(
+    OurMethod("Accurate", "Preset", 0, [](Pass* pass) { pass->SetQualityToAccurate(); }));
+  if (quick)
+  {
+    methods.push_back(HemisphereMethod(8, Pass::EdgeAware, ""));
+    methods.push_back(HemisphereMethod(128, Pass::EdgeAware, ""));
+    AddSystems(methods);
+    return methods;
+  }
+  for (int kernelSize : { 8, 16, 32, 64, 128, 256 })
+  {
+    methods.push_back(HemisphereMethod(kernelSize, Pass::EdgeAware, ""));
+  }
+  AddSystems(methods);
+  for (int kernelSize : { 16, 64 })
+  {
+    methods.push_back(HemisphereMethod(kernelSize, Pass::Box, "box"));
+    methods.push_back(HemisphereMethod(kernelSize, Pass::None, "raw"));
+  }
+  methods.push_back(HorizonMethod(12, 8));
+  return methods;
+}

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+// One baseline for each denoiser that TestStages has none for: V of the still life.
+
+#include "vtkImageData.h"
+#include "vtkSSAOImageCompare.h"
+#include "vtkSSAOTestMonitor.h"
+#include "vtkSSAOTestShapes.h"
+#include "vtkSSAOTestView.h"
+
+//------------------------------------------------------------------------------
+int TestDenoiserImages(int argc, char* argv[])
+{
+  vtkSSAOTestMonitor test;
+  vtkSSAOImageCompare images(argc, argv, test);
+  vtkSSAOTestView view(test);
+  vtkSSAOAddStillLife(view);
+  vtkSSAOLookAtStillLife(view, false);
+  view.Pass->SetRadius(0.5);
+  view.Pass->SetOutputModeToOcclusion();
+  view.Pass->SetDenoiserToBoxCentered();
+  images.Compare(view.Picture(), { 1, 0.002, 4 }, "BoxCentered");
+  view.Pass->SetDenoiserToSeparableGaussian();
+  images.Compare(view.Picture(), { 1, 0.002, 4 }, "SeparableGaussian");
+  return test.GetResult();
+}

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Picking and the depth buffer give the same with the pass as without.
+
+#include "vtkSSAOTestEverything.h"
+
+#include "vtkHardwareSelector.h"
+#include "vtkInformation.h"
+#include "vtkPropPicker.h"
+#include "vtkSelection.h"
+#include "vtkSelectionNode.h"
+
+namespace
+{
+using namespace vtkSSAOTest;
+
+//------------------------------------------------------------------------------
+// What a selection holds, as text: every node's prop and its ids.
+std::string Select(Stage& stage, int association)
+{
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(stage.Renderer);
+  selector->SetArea(20, 20, 130, 90);
+  selector->SetFieldAssociation(association);
+  vtkSmartPointer<vtkSelection> selection;
+  selection.TakeReference(selector->Select());
+  std::vector<std::string> nodes;
+  for (unsigned int i = 0; selection && i < selection->GetNumberOfNodes(); ++i)
+  {
+    vtkSelectionNode* node = selection->GetNode(i);
+    vtkObjectBase* prop = node->GetProperties()->Get(vtkSelectionNode::PROP());
+    vtkPropCollection* props = stage.Renderer->GetViewProps();
+    std::string text =
+      "prop " + std::to_string(props->IsItemPresent(vtkObject::SafeDownCast(prop)));
+    vtkDataArray* ids = vtkDataArray::SafeDownCast(node->GetSelectionList());
+    for (vtkIdType j = 0; ids && j < ids->GetNumberOfTuples(); ++j)
+    {
+      text += " " + std::to_string(static_cast<vtkIdType>(ids->GetTuple1(j)));
+    }
+    nodes.push_back(text);
+  }
+  std::sort(nodes.begin(), nodes.end());
+  std::string all;
+  for (const std::string& node : nodes)
+  {
+    all += node + "\n";
+  }
+  return all;
+}
+
+//------------------------------------------------------------------------------
+// Number of the prop at a pixel and where it was hit.
+std::string Pick(Stage& stage, int x, int y)
+{
+  vtkNew<vtkPropPicker> picker;
+  picker->Pick(x, y, 0.0, stage.Renderer);
+  const double* at = picker->GetPickPosition();
+  return std::to_string(stage.Renderer->GetViewProps()->IsItemPresent(picker->GetViewProp())) +
+    " at " + std::to_string(at[0]) + " " + std::to_string(at[1]) + " " + std::to_string(at[2]);
+}
+
+//------------------------------------------------------------------------------
+std::vector<float> ReadDepth(Stage& stage, vtkRenderPass* pass)
+{
+  stage.Draw(pass);
+  const int* size = stage.Window->GetSize();
+  std::vector<float> depth(size[0] * size[1]);
+  stage.Window->GetZbufferData(0, 0, size[0] - 1, size[1] - 1, depth.data());
+  return depth;
+}
+}
+
+//------------------------------------------------------------------------------
+int TestHarmlessPicking(int, char*[])
+{
+  Report report;
+  Stage stage(report, 150, 110);
+  Grid grid(4);
+  for (int i = 0; i < 6; ++i)
+  {
+    vtkSmartPointer<vtkActor> sphere = MakeActor(MakeSphere(0.45, 12));
+    grid.Place(sphere);
+    stage.Renderer->AddActor(sphere);
+  }
+  AddUnlitProps(stage.Renderer, grid);
+  grid.Look(stage.Renderer);
+
+  vtkNew<AOPass> own;
+  vtkNew<AOPass> over;
+  vtkNew<vtkRenderStepsPass> steps;
+  over->SetDelegatePass(steps);
+  const std::pair<const char*, vtkRenderPass*> passes[] = { { "no delegate", own },
+    { "render steps", over } };
+
+  stage.Draw(nullptr);
+  const std::string cells = Select(stage, vtkDataObject::FIELD_ASSOCIATION_CELLS);
+  const std::string points = Select(stage, vtkDataObject::FIELD_ASSOCIATION_POINTS);
+  report.ExpectAtLeast(static_cast<double>(std::count(cells.begin(), cells.end(), '\n')), 6,
+    "props selected by cells");
+  std::vector<std::string> picked;
+  for (int i = 0; i < 15; ++i)
+  {
+    picked.push_back(Pick(stage, 10 * i, 7 * i));
+  }
+  const std::vector<float> depth = ReadDepth(stage, nullptr);
+  report.ExpectAtLeast(static_cast<double>(std::count_if(
+                         depth.begin(), depth.end(), [](float z) { return z < 1.0F; })),
+    3000, "pixels with depth");
+
+  for (const auto& pass : passes)
+  {
+    const std::string name = pass.first;
+    const Picture before = stage.Draw(pass.second);
+    report.Expect(cells == Select(stage, vtkDataObject::FIELD_ASSOCIATION_CELLS),
+      name + ", the same cells are selected");
+    report.Expect(points == Select(stage, vtkDataObject::FIELD_ASSOCIATION_POINTS),
+      name + ", the same points are selected");
+    for (int i = 0; i < 15; ++i)
+    {
+      report.Equal(name + ", pick " + std::to_string(i), picked[i], Pick(stage, 10 * i, 7 * i));
+    }
+    report.Same(name + ", the picture after picking", before, stage.Draw(pass.second), 0.0);
+    report.Expect(depth == ReadDepth(stage, pass.second), name + ", the depth buffer is the same");
+  }
+  auto* occlusion = AOPass::SafeDownCast(passes[0].second);
+  occlusion->SetOutputModeToOcclusion();
+  report.Expect(depth == ReadDepth(stage, occlusion), "Occlusion, the depth buffer is the same");
+  return report.GetResult();
+}

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Defaults, presets, ranges, what is refused, and what PrintSelf prints.
+
+#include "vtkNew.h"
+#include "vtkSSAOTestMonitor.h"
+#include "vtkScreenSpaceAmbientOcclusionPass.h"
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace
+{
+using Pass = vtkScreenSpaceAmbientOcclusionPass;
+
+struct Parameter
+{
+  std::string Name;
+  double Default;
+  std::vector<double> Good; ///< ends of the range among them
+  std::vector<double> Bad;
+  std::function<void(Pass*, double)> Set;
+  std::function<double(Pass*)> Get;
+  bool Whole;
+};
+
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+#define PARAMETER(name, standard, whole, ...)                                                \
+  {                                                                                          \
+#name, standard, __VA_ARGS__, [](Pass * pass, double value) { pass->Set##name(value); }, \
+      [](Pass * pass) { return static_cast<double>(pass->Get##name()); }, whole              \
+  }
+
+//------------------------------------------------------------------------------
+std::vector<Parameter> Parameters()
+{
+  const std::vector<double> never = { NaN, Infinity, -Infinity };
+  const auto with = [&](std::vector<double> values)
+  {
+    values.insert(values.end(), never.begin(), never.end());
+    return values;
+  };
+  return {
+    PARAMETER(Radius, 0.0, false, { 0.0, 1.0e-30, 0.5, 1.0e30 }, with({ -1.0, -1.0e-30 })),
+    PARAMETER(Bias, -1.0, false, { 0.0, 1.0e-30, 0.5, 1.0e30 }, with({ -0.5, -1.0e-30 })),
+    PARAMETER(Intensity, 1.0, false, { 0.0, 0.5, 10.0 }, with({ -0.1, 10.1 })),
+    PARAMETER(Power, 1.0, false, { 0.01, 2.0, 16.0 }, with({ 0.0, -1.0, 16.5 })),
+    PARAMETER(IntensityScale, 1.0, false, { 0.0, 0.5, 10.0 }, with({ -0.1, 10.1 })),
+    PARAMETER(IntensityShift, 0.0, false, { -1.0, 0.5, 1.0 }, with({ -1.1, 1.1 })),
+    PARAMETER(VolumeOpacityThreshold, 0.9, false, { 0.0, 0.5, 1.0 }, with({ -0.1, 1.1 })),
+    PARAMETER(KernelSize, 32.0, true, { 1, 7, 1024 }, { 0, -1, 1025, 2147483647 }),
+    PARAMETER(NoiseSize, 4.0, true, { 1, 3, 64 }, { 0, -1, 65, 2147483647 }),
+    PARAMETER(Denoiser, Pass::EdgeAware, true, { 0, 1, 4 }, { -1, 5, 1000 }),
+    PARAMETER(Modulation, Pass::AmbientAndDiffuse, true, { 0, 1, 2 }, { -1, 3 }),
+    PARAMETER(OutputMode, Pass::Composite, true, { 0, 1, 2, 3, 4 }, { -1, 5 }),
+    PARAMETER(Estimator, Pass::Hemisphere, true, { Pass::Hemisphere }, { -1, 1000 }),
+  };
+}
+#undef PARAMETER
+
+//------------------------------------------------------------------------------
+void TestParameter(vtkSSAOTestMonitor& test, const Parameter& parameter)
+{
+  vtkNew<Pass> pass;
+  vtkSSAOErrorObserver observer(pass);
+  test.ExpectEqual(parameter.Get(pass), parameter.Default, parameter.Name + " by default");
+  for (double value : parameter.Good)
+  {
+    vtkMTimeType before = pass->GetMTime();
+    const bool change = parameter.Get(pass) != value;
+    parameter.Set(pass, value);
+    test.ExpectEqual(parameter.Get(pass), value, parameter.Name + " after setting it");
+    test.Expect((pass->GetMTime() > before) == change,
+      parameter.Name + (change ? " modifies the pass" : " to the same does not modify the pass"));
+    before = pass->GetMTime();
+    parameter.Set(pass, value);
+    test.Expect(pass->GetMTime() == before, parameter.Name + " again does not modify the pass");
+  }
+  test.ExpectEqual(
+    observer.GetErrors() + observer.GetWarnings(), 0, parameter.Name + ": errors for good values");
+
+  const double kept = parameter.Get(pass);
+  for (double value : parameter.Bad)
+  {
+    std::ostringstream what;
+    what << parameter.Name << " " << value << ": ";
+    observer.Reset();
+    const vtkMTimeType before = pass->GetMTime();
+    parameter.Set(pass, value);
+    test.ExpectEqual(observer.GetErrors(), 1, what.str() + "errors");
+    std::ostringstream number;
+    number << value;
+    if (parameter.Whole)
+    {
+      number.str(std::to_string(static_cast<int>(value)));
+    }
+    test.Expect(observer.GetText().find(parameter.Name) != std::string::npos,
+      what.str() + "the error names the parameter");
+    // A large whole number may be printed with an exponent.
+    test.Expect(
+      std::abs(value) > 1.0e6 || observer.GetText().find(number.str()) != std::string::npos,
+      what.str() + "the error names the value");
+    test.ExpectEqual(parameter.Get(pass), kept, what.str() + "the value that stays");
+    test.Expect(pass->GetMTime() == before, what.str() + "the pass is not modified");
+  }
+}
+
+//------------------------------------------------------------------------------
+void TestOthers(vtkSSAOTestMonitor& test)
+{
+  vtkNew<Pass> pass;
+  vtkSSAOErrorObserver observer(pass);
+  pass->SetBias(0.25);
+  pass->SetBiasToAutomatic();
+  test.ExpectEqual(pass->GetBias(), -1.0, "automatic bias");
+  pass->SetRadius(2.5);
+  test.ExpectEqual(pass->GetEffectiveRadius(), 2.5, "effective radius before any render");
+
+  const int sizes[] = { 16, 32, 64 };
+  const std::function<void()> presets[] = { [&] { pass->SetQualityToFast(); },
+    [&] { pass->SetQualityToBalanced(); }, [&] { pass->SetQualityToAccurate(); } };
+  for (int preset = 0; preset < 3; ++preset)
+  {
+    pass->SetKernelSize(5);
+    pass->SetDenoiserToNone();
+    presets[preset]();
+    test.ExpectEqual(pass->GetKernelSize(), sizes[preset], "kernel size of a preset");
+    test.ExpectEqual(pass->GetDenoiser(), Pass::EdgeAware, "denoiser of a preset");
+    test.ExpectEqual(pass->GetEstimator(), Pass::Hemisphere, "estimator of a preset");
+  }
+
+  pass->SetDenoiserToBox();
+  pass->BlurOn();
+  test.ExpectEqual(pass->GetDenoiser(), Pass::Box, "BlurOn keeps the denoiser");
+  pass->BlurOff();
+  test.ExpectEqual(pass->GetDenoiser(), Pass::None, "BlurOff");
+  test.Expect(!pass->GetBlur(), "blur is off");
+  pass->SetBlur(true);
+  test.ExpectEqual(pass->GetDenoiser(), Pass::EdgeAware, "SetBlur(true)");
+  test.Expect(pass->GetBlur(), "blur is on");
+  pass->SetDepthFormat(3);
+  test.ExpectEqual(pass->GetDepthFormat(), 3, "depth format");
+  test.ExpectEqual(observer.GetErrors() + observer.GetWarnings(), 0, "errors of all that");
+}
+
+//------------------------------------------------------------------------------
+void TestPrintSelf(vtkSSAOTestMonitor& test)
+{
+  vtkNew<Pass> pass;
+  pass->SetRadius(0.515625);
+  pass->SetBias(0.0625);
+  pass->SetKernelSize(77);
+  pass->SetNoiseSize(9);
+  pass->SetIntensity(1.25);
+  pass->SetPower(3.125);
+  pass->SetIntensityScale(2.375);
+  pass->SetIntensityShift(-0.4375);
+  pass->SetVolumeOpacityThreshold(0.8125);
+  pass->SetDepthFormat(42);
+  std::ostringstream printed;
+  pass->Print(printed);
+  const std::pair<const char*, const char*> lines[] = { { "Radius", "0.515625" },
+    { "EffectiveRadius", "0.515625" }, { "Estimator", "" }, { "KernelSize", "77" },
+    { "NoiseSize", "9" }, { "Bias", "0.0625" }, { "Denoiser", "" }, { "Modulation", "" },
+    { "Intensity", "1.25" }, { "Power", "3.125" }, { "IntensityScale", "2.375" },
+    { "IntensityShift", "-0.4375" }, { "OutputMode", "" }, { "DepthFormat", "42" },
+    { "VolumeOpacityThreshold", "0.8125" }, { "StageTiming", "" } };
+  for (const auto& line : lines)
+  {
+    const std::string wanted = std::string(" ") + line.first + ": " + line.second;
+    test.Expect(printed.str().find(wanted) != std::string::npos, "PrintSelf prints" + wanted);
+  }
+  vtkNew<Pass> standard;
+  std::ostringstream defaults;
+  standard->Print(defaults);
+  test.Expect(defaults.str().find("automatic") != std::string::npos,
+    "PrintSelf says that a length is automatic");
+}
+}
+
+//------------------------------------------------------------------------------
+int UnitTestSSAOParameters(int, char*[])
+{
+  vtkSSAOTestMonitor test;
+  for (const Parameter& parameter : Parameters())
+  {
+    TestParameter(test, parameter);
+  }
+  TestOthers(test);
+  TestPrintSelf(test);
+  return test.GetResult();
+}

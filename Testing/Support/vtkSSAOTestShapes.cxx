@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSSAOTestShapes.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkCellArray.h"
+#include "vtkCubeSource.h"
+#include "vtkCylinderSource.h"
+#include "vtkNew.h"
+#include "vtkParametricFunctionSource.h"
+#include "vtkParametricTorus.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkSSAOTestView.h"
+#include "vtkSphereSource.h"
+
+namespace
+{
+//------------------------------------------------------------------------------
+void Paint(vtkActor* actor, double red, double green, double blue, double scale)
+{
+  vtkProperty* property = actor->GetProperty();
+  property->SetColor(red, green, blue);
+  property->SetAmbient(0.3);
+  property->SetDiffuse(0.7);
+  property->SetSpecular(0.2);
+  property->SetSpecularPower(20.0);
+  actor->SetScale(scale);
+}
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> vtkSSAOQuad(
+  const double (&origin)[3], const double (&a)[3], const double (&b)[3])
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  const double corners[4][2] = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } };
+  for (const auto& corner : corners)
+  {
+    double point[3];
+    for (int i = 0; i < 3; ++i)
+    {
+      point[i] = origin[i] + corner[0] * a[i] + corner[1] * b[i];
+    }
+    points->InsertNextPoint(point);
+  }
+  vtkNew<vtkCellArray> triangles;
+  triangles->InsertNextCell({ 0, 1, 2 });
+  triangles->InsertNextCell({ 0, 2, 3 });
+  auto quad = vtkSmartPointer<vtkPolyData>::New();
+  quad->SetPoints(points);
+  quad->SetPolys(triangles);
+  return quad;
+}
+
+//------------------------------------------------------------------------------
+vtkActor* vtkSSAOAddFloor(vtkSSAOTestView& view, double scale)
+{
+  const double s = 20.0 * scale;
+  return view.Add(vtkSSAOQuad({ -s, 0, s }, { 2 * s, 0, 0 }, { 0, 0, -2 * s }));
+}
+
+//------------------------------------------------------------------------------
+void vtkSSAOAddCorner(vtkSSAOTestView& view, double scale)
+{
+  const double s = 20.0 * scale;
+  view.Add(vtkSSAOQuad({ -s, 0, s }, { 2 * s, 0, 0 }, { 0, 0, -s }));
+  view.Add(vtkSSAOQuad({ -s, 0, 0 }, { 2 * s, 0, 0 }, { 0, s, 0 }));
+}
+
+//------------------------------------------------------------------------------
+void vtkSSAOLookAtCorner(vtkSSAOTestView& view, bool parallel, double scale)
+{
+  const double away = 20.0 * scale;
+  if (parallel)
+  {
+    view.LookParallel({ 0, away, away }, { 0, 0, 0 }, { 0, 1, 0 }, 4.0 * scale);
+  }
+  else
+  {
+    view.Look({ 0, 0.7 * away, 0.7 * away }, { 0, 0, 0 }, { 0, 1, 0 });
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSSAOAddStillLife(vtkSSAOTestView& view, double scale)
+{
+  Paint(view.Add(vtkSSAOQuad({ -6, 0, 6 }, { 12, 0, 0 }, { 0, 0, -7 })), 0.8, 0.75, 0.7, scale);
+  Paint(view.Add(vtkSSAOQuad({ -2, 0, -1 }, { 8, 0, 0 }, { 0, 1.6, 0 })), 0.6, 0.75, 0.85, scale);
+
+  vtkNew<vtkCubeSource> box;
+  box->SetBounds(-1.7, -0.7, 0.0, 1.0, -0.7, 0.3);
+  Paint(view.Add(box), 0.85, 0.45, 0.35, scale);
+
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetCenter(0.2, 0.5, 0.1);
+  sphere->SetRadius(0.5);
+  sphere->SetThetaResolution(64);
+  sphere->SetPhiResolution(48);
+  Paint(view.Add(sphere), 0.9, 0.85, 0.4, scale);
+
+  vtkNew<vtkParametricTorus> torus;
+  torus->SetRingRadius(0.5);
+  torus->SetCrossSectionRadius(0.16);
+  vtkNew<vtkParametricFunctionSource> ring;
+  ring->SetParametricFunction(torus);
+  ring->SetUResolution(64);
+  ring->SetVResolution(32);
+  vtkActor* actor = view.Add(ring);
+  Paint(actor, 0.5, 0.8, 0.5, scale);
+  actor->RotateX(90);
+  actor->SetPosition(1.2 * scale, 0.16 * scale, 0.5 * scale);
+
+  view.Renderer->SetBackground(0.9, 0.9, 0.95);
+}
+
+//------------------------------------------------------------------------------
+void vtkSSAOLookAtStillLife(vtkSSAOTestView& view, bool parallel, double scale)
+{
+  const std::vector<double> from = { 1.2 * scale, 2.6 * scale, 4.6 * scale };
+  const std::vector<double> at = { -0.1 * scale, 0.5 * scale, 0.0 };
+  if (parallel)
+  {
+    view.LookParallel(from, at, { 0, 1, 0 }, 1.3 * scale);
+  }
+  else
+  {
+    view.Look(from, at, { 0, 1, 0 });
+  }
+}

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file    vtkSSAOTestShapes.h
+ * @brief   Small scenes that the tests share. Lengths are in world units times scale.
+ */
+
+#ifndef vtkSSAOTestShapes_h
+#define vtkSSAOTestShapes_h
+
+#include "vtkSmartPointer.h"
+
+class vtkActor;
+class vtkPolyData;
+class vtkSSAOTestView;
+
+/**
+ * A parallelogram origin, origin + a, origin + b with the normal a x b, without point normals.
+ */
+vtkSmartPointer<vtkPolyData> vtkSSAOQuad(
+  const double (&origin)[3], const double (&a)[3], const double (&b)[3]);
+
+/**
+ * A horizontal square of edge 40 about the origin, facing up (+y).
+ */
+vtkActor* vtkSSAOAddFloor(vtkSSAOTestView& view, double scale = 1.0);
+
+/**
+ * A floor (y = 0, z > 0, facing up) and a wall (z = 0, y > 0, facing +z) that meet in the x axis,
+ * 40 long and 20 wide.
+ */
+void vtkSSAOAddCorner(vtkSSAOTestView& view, double scale = 1.0);
+
+/**
+ * Camera for the corner: 45 degrees above the floor, from a distance of 20.
+ */
+void vtkSSAOLookAtCorner(vtkSSAOTestView& view, bool parallel, double scale = 1.0);
+
+/**
+ * A still life on a floor before a wall, about 4 wide: box, sphere and torus-like ring, coloured,
+ * with ambient, diffuse and specular light. Sets camera and background. A good radius is .5.
+ */
+void vtkSSAOAddStillLife(vtkSSAOTestView& view, double scale = 1.0);
+void vtkSSAOLookAtStillLife(vtkSSAOTestView& view, bool parallel, double scale = 1.0);
+
+#endif

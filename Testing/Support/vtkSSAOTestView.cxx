@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSSAOTestView.h"
+
+#include "vtkActor.h"
+#include "vtkAlgorithm.h"
+#include "vtkCamera.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSSAOTestMonitor.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkWeakPointer.h"
+
+namespace
+{
+//------------------------------------------------------------------------------
+vtkSSAOTestImage Component(vtkImageData* image, int component)
+{
+  vtkSSAOTestImage result(image->GetDimensions()[0], image->GetDimensions()[1]);
+  const int components = image->GetNumberOfScalarComponents();
+  const auto* values = static_cast<float*>(image->GetScalarPointer());
+  for (std::size_t i = 0; i < result.Values.size(); ++i)
+  {
+    result.Values[i] = values[i * components + component];
+  }
+  return result;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkSSAOTestView::vtkSSAOTestView(
+  vtkSSAOTestMonitor& monitor, int width, int height, int multiSamples)
+  : Renderer(vtkSmartPointer<vtkRenderer>::New())
+  , Window(vtkSmartPointer<vtkRenderWindow>::New())
+  , Pass(vtkSmartPointer<vtkScreenSpaceAmbientOcclusionPass>::New())
+  , Monitor(monitor)
+{
+  this->Window->SetOffScreenRendering(1);
+  this->Window->SetMultiSamples(multiSamples);
+  this->Window->SetSize(width, height);
+  this->Window->AddRenderer(this->Renderer);
+  this->Renderer->SetPass(this->Pass);
+}
+
+//------------------------------------------------------------------------------
+vtkSSAOTestView::~vtkSSAOTestView()
+{
+  vtkWeakPointer<vtkRenderWindow> window = this->Window.Get();
+  vtkWeakPointer<vtkRenderer> renderer = this->Renderer.Get();
+  vtkWeakPointer<vtkScreenSpaceAmbientOcclusionPass> pass = this->Pass.Get();
+  this->Pass = nullptr;
+  this->Renderer = nullptr;
+  this->Window = nullptr;
+  if (window || renderer || pass)
+  {
+    this->Monitor.Expect(false, "window, renderer and pass are deleted at the end");
+  }
+}
+
+//------------------------------------------------------------------------------
+const char* vtkSSAOTestView::GetPresetName(int preset)
+{
+  const char* names[] = { "Fast", "Balanced", "Accurate" };
+  return names[preset];
+}
+
+//------------------------------------------------------------------------------
+void vtkSSAOTestView::SetPreset(int preset)
+{
+  switch (preset)
+  {
+    case 0:
+      this->Pass->SetQualityToFast();
+      break;
+    case 1:
+      this->Pass->SetQualityToBalanced();
+      break;
+    default:
+      this->Pass->SetQualityToAccurate();
+      break;
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkActor* vtkSSAOTestView::Add(vtkPolyData* surface)
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(surface);
+  mapper->ScalarVisibilityOff();
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  this->Renderer->AddActor(actor);
+  return actor;
+}
+
+//------------------------------------------------------------------------------
+vtkActor* vtkSSAOTestView::Add(vtkAlgorithm* source)
+{
+  source->Update();
+  return this->Add(vtkPolyData::SafeDownCast(source->GetOutputDataObject(0)));
+}
+
+//------------------------------------------------------------------------------
+void vtkSSAOTestView::Look(const std::vector<double>& from, const std::vector<double>& at,
+  const std::vector<double>& up, double viewAngle)
+{
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  camera->ParallelProjectionOff();
+  camera->SetPosition(from.data());
+  camera->SetFocalPoint(at.data());
+  camera->SetViewUp(up.data());
+  camera->SetViewAngle(viewAngle);
+  this->Renderer->ResetCameraClippingRange();
+}
+
+//------------------------------------------------------------------------------
+void vtkSSAOTestView::LookParallel(const std::vector<double>& from, const std::vector<double>& at,
+  const std::vector<double>& up, double scale)
+{
+  this->Look(from, at, up);
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  camera->ParallelProjectionOn();
+  camera->SetParallelScale(scale);
+  this->Renderer->ResetCameraClippingRange();
+}
+
+//------------------------------------------------------------------------------
+void vtkSSAOTestView::Render()
+{
+  this->Window->Render();
+  if (!this->Watched)
+  {
+    this->Watched = true;
+    this->Monitor.Watch(this->Window);
+    this->Window->Render();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkSSAOTestImage vtkSSAOTestView::Visibility()
+{
+  this->Render();
+  vtkNew<vtkImageData> image;
+  if (!this->Pass->GetVisibility(image))
+  {
+    this->Monitor.Expect(false, "the pass has a visibility to give");
+    return vtkSSAOTestImage();
+  }
+  return Component(image, 0);
+}
+
+//------------------------------------------------------------------------------
+vtkSSAOTestImage vtkSSAOTestView::ReadGeometry(int component)
+{
+  vtkNew<vtkImageData> image;
+  if (!this->Pass->GetGeometry(image))
+  {
+    this->Monitor.Expect(false, "the pass has a geometry to give");
+    return vtkSSAOTestImage();
+  }
+  return Component(image, component);
+}
+
+//------------------------------------------------------------------------------
+vtkSSAOTestImage vtkSSAOTestView::Depth()
+{
+  return this->ReadGeometry(0);
+}
+
+//------------------------------------------------------------------------------
+vtkSSAOTestImage vtkSSAOTestView::Surfaces()
+{
+  vtkSSAOTestImage surfaces = this->Depth();
+  for (float& value : surfaces.Values)
+  {
+    value = value > 0.0F ? 1.0F : 0.0F;
+  }
+  return surfaces;
+}
+
+//------------------------------------------------------------------------------
+vtkSSAOTestImage vtkSSAOTestView::Normal(int component)
+{
+  return this->ReadGeometry(1 + component);
+}
+
+//------------------------------------------------------------------------------
+vtkSSAOStatistics vtkSSAOTestView::MeasureSurfaces(const vtkSSAOTestImage& image)
+{
+  const vtkSSAOTestImage surfaces = this->Surfaces();
+  return vtkSSAOMeasure(image, [&](int x, int y) { return surfaces.At(x, y) > 0.0F; });
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> vtkSSAOTestView::Picture()
+{
+  this->Render();
+  return vtkSSAOReadWindow(this->Window);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> vtkSSAOReadWindow(vtkRenderWindow* window)
+{
+  const int* size = window->GetSize();
+  vtkNew<vtkUnsignedCharArray> pixels;
+  window->GetPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixels);
+  auto picture = vtkSmartPointer<vtkImageData>::New();
+  picture->SetDimensions(size[0], size[1], 1);
+  pixels->SetName("Colors");
+  picture->GetPointData()->SetScalars(pixels);
+  return picture;
+}

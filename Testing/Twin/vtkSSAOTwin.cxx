@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSSAOTwin.h"
+
+#include "vtkCamera.h"
+#include "vtkImageData.h"
+#include "vtkMatrix4x4.h"
+#include "vtkSSAOKernel.h"
+#include "vtkSSAOOcclusionSettings.h"
+#include "vtkSSAOShaderFunctions.h"
+
+#include <glm/common.hpp>
+#include <glm/exponential.hpp>
+#include <glm/geometric.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/trigonometric.hpp>
+#include <glm/vec3.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace twin
+{
+using namespace glm;
+namespace
+{
+using vec2 = glm::dvec2;
+using vec3 = glm::dvec3;
+using vec4 = glm::dvec4;
+#define float double
+// What a shader of stage 2 sees besides its own text: its types, its uniforms, its textures and the
+// shared functions. In double.
+struct OcclusionShader
+{
+  vec4 viewport;
+  vec4 pixelToRay;
+  vec4 rayToPixel;
+  vec4 rayOffset;
+  vec2 depthSlope;
+  vec4 depthOfWindow;
+  float perspective;
+  float radius;
+  float bias;
+  int kernelSize;
+  int rangeCheck;
+  int halfRule;
+  float minimumDifference;
+  float falloffExponent;
+  int falloff;
+  int directions;
+  int steps;
+  vec2 angleBias;
+  int noiseTile;
+  float depthScale; // all depths that are looked up are multiplied by it
+  const std::vector<glm::vec4>* geometry;
+  const std::vector<glm::vec4>* kernel;
+  const std::vector<glm::vec4>* noise;
+
+  // Nearest texel, clamped to the edge.
+  vec4 ssaoGeometryAt(const vec2& pixel) const
+  {
+    const int width = static_cast<int>(viewport.z);
+    const int height = static_cast<int>(viewport.w);
+    const float x = std::min(std::max(std::floor(pixel.x), 0.0), viewport.z - 1.0);
+    const float y = std::min(std::max(std::floor(pixel.y), 0.0), viewport.w - 1.0);
+    const int column = std::isfinite(x) ? static_cast<int>(x) : width - 1;
+    const int row = std::isfinite(y) ? static_cast<int>(y) : height - 1;
+    vec4 texel((*geometry)[static_cast<std::size_t>(row) * width + column]);
+    texel.x *= depthScale;
+    return texel;
+  }
+
+  vec3 ssaoKernelAt(int index) const { return vec3(vec4((*kernel)[index])); }
+
+  vec4 ssaoNoiseAt(const vec2& pixel) const
+  {
+    const int column = static_cast<int>(pixel.x) % noiseTile;
+    const int row = static_cast<int>(pixel.y) % noiseTile;
+    return vec4((*noise)[static_cast<std::size_t>(row) * noiseTile + column]);
+  }
+
+#include "glsl/vtkSSAOPass0Functions.glsl"
+};
+
+struct CrytekSphere : OcclusionShader
+{
+#include "glsl/vtkSSAOPass2CrytekSphere.glsl"
+};
+
+struct PositionSphere : OcclusionShader
+{
+#include "glsl/vtkSSAOPass2PositionSphere.glsl"
+};
+
+struct DepthSphere : OcclusionShader
+{
+#include "glsl/vtkSSAOPass2DepthSphere.glsl"
+};
+
+struct Hemisphere : OcclusionShader
+{
+#include "glsl/vtkSSAOPass2Hemisphere.glsl"
+};
+
+struct HemisphereLinearDepth : OcclusionShader
+{
+#include "glsl/vtkSSAOPass2HemisphereLinearDepth.glsl"
+};
+
+struct ReflectedHemisphere : OcclusionShader
+{
+#include "glsl/vtkSSAOPass2ReflectedHemisphere.glsl"
+};
+
+struct HorizonAngle : OcclusionShader
+{
+#include "glsl/vtkSSAOPass2HorizonAngle.glsl"
+};
+#undef float
+
+//------------------------------------------------------------------------------
+// The stage's main() for every pixel.
+template <typename Estimator>
+std::vector<double> Draw(const OcclusionShader& uniforms, int width, int height, const vec2& shift)
+{
+  Estimator shader;
+  static_cast<OcclusionShader&>(shader) = uniforms;
+  std::vector<double> visibility;
+  visibility.reserve(static_cast<std::size_t>(width) * height);
+  for (int y = 0; y < height; ++y)
+  {
+    for (int x = 0; x < width; ++x)
+    {
+      const vec2 pixel(x + 0.5, y + 0.5);
+      const glm::vec4& center = (*uniforms.geometry)[visibility.size()];
+      visibility.push_back(
+        center.x > 0.0F ? shader.ssaoVisibility(pixel + shift, vec4(center)) : 1.0);
+    }
+  }
+  return visibility;
+}
+}
+}
+
+//------------------------------------------------------------------------------
+vtkSSAOTwin::vtkSSAOTwin(vtkImageData* geometry, vtkCamera* camera)
+{
+  int size[3];
+  geometry->GetDimensions(size);
+  this->Width = size[0];
+  this->Height = size[1];
+
+  const double aspect = static_cast<double>(this->Width) / this->Height;
+  vtkMatrix4x4* projection = camera->GetProjectionTransformMatrix(aspect, -1.0, 1.0);
+  glm::dmat4 matrix;
+  for (int column = 0; column < 4; ++column)
+  {
+    for (int row = 0; row < 4; ++row)
+    {
+      matrix[column][row] = projection->GetElement(row, column);
+    }
+  }
+  this->Projection =
+    vtkSSAOProjection::FromMatrix(matrix, glm::ivec4(0, 0, this->Width, this->Height));
+
+  const auto* pixel = static_cast<const float*>(geometry->GetScalarPointer());
+  const std::size_t pixels = static_cast<std::size_t>(this->Width) * this->Height;
+  this->Geometry.reserve(pixels);
+  for (std::size_t i = 0; i < pixels; ++i, pixel += 7)
+  {
+    this->Geometry.push_back(pixel[0] > 0.0F
+        ? glm::vec4(pixel[0], shader::ssaoPackNormal(glm::vec3(pixel[1], pixel[2], pixel[3])),
+            shader::ssaoPackNormal(glm::vec3(pixel[4], pixel[5], pixel[6])), 1.0F)
+        : glm::vec4(0.0F));
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> vtkSSAOTwin::Visibility(
+  const vtkSSAOOcclusionSettings& settings, const vtkSSAODisturbance& disturbance) const
+{
+  const std::vector<glm::vec4> kernel = settings.MakeKernel();
+  const std::vector<glm::vec4> noise = vtkSSAONoiseTile(settings.NoiseSize);
+  const double angle = glm::radians(settings.AngleBias);
+  twin::OcclusionShader uniforms;
+  uniforms.viewport = glm::dvec4(0.0, 0.0, this->Width, this->Height);
+  uniforms.pixelToRay = this->Projection.PixelToRay;
+  uniforms.rayToPixel = this->Projection.RayToPixel;
+  uniforms.rayOffset = this->Projection.RayOffset;
+  uniforms.depthSlope = this->Projection.DepthSlope;
+  uniforms.depthOfWindow = this->Projection.DepthOfWindow;
+  uniforms.perspective = this->Projection.Perspective;
+  uniforms.radius = settings.Radius;
+  uniforms.bias = settings.Bias;
+  uniforms.kernelSize = settings.KernelSize;
+  uniforms.rangeCheck = settings.RangeCheck ? 1 : 0;
+  uniforms.halfRule = settings.HalfRule ? 1 : 0;
+  uniforms.minimumDifference = settings.MinimumDifference;
+  uniforms.falloffExponent = 1.0 / settings.Attenuation;
+  uniforms.falloff = settings.Falloff;
+  uniforms.directions = settings.Directions;
+  uniforms.steps = settings.Steps;
+  uniforms.angleBias = glm::dvec2(std::cos(angle), std::sin(angle));
+  uniforms.noiseTile = settings.NoiseSize;
+  uniforms.depthScale = 1.0 + disturbance.Depth;
+  uniforms.geometry = &this->Geometry;
+  uniforms.kernel = &kernel;
+  uniforms.noise = &noise;
+
+  using Pass = vtkScreenSpaceAmbientOcclusionPass;
+  const glm::dvec2 shift(disturbance.X, disturbance.Y);
+  switch (settings.Estimator)
+  {
+    case Pass::CrytekSphere:
+      return twin::Draw<twin::CrytekSphere>(uniforms, this->Width, this->Height, shift);
+    case Pass::PositionSphere:
+      return twin::Draw<twin::PositionSphere>(uniforms, this->Width, this->Height, shift);
+    case Pass::DepthSphere:
+      return twin::Draw<twin::DepthSphere>(uniforms, this->Width, this->Height, shift);
+    case Pass::Hemisphere:
+      return twin::Draw<twin::Hemisphere>(uniforms, this->Width, this->Height, shift);
+    case Pass::HemisphereLinearDepth:
+      return twin::Draw<twin::HemisphereLinearDepth>(uniforms, this->Width, this->Height, shift);
+    case Pass::ReflectedHemisphere:
+      return twin::Draw<twin::ReflectedHemisphere>(uniforms, this->Width, this->Height, shift);
+    case Pass::HorizonAngle:
+      return twin::Draw<twin::HorizonAngle>(uniforms, this->Width, this->Height, shift);
+    default:
+      return {};
+  }
+}
