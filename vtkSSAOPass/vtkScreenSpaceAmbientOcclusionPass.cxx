@@ -38,6 +38,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -576,11 +577,18 @@ void vtkScreenSpaceAmbientOcclusionPass::SetInRange(
 {
   if (!std::isfinite(value) || value < low || value > high)
   {
-    vtkErrorMacro(<< name << " " << value << " is refused: it must be "
-                  << (high < Infinity ? "from " : "finite and at least ") << low
-                  << (high < Infinity ? " to " : "")
-                  << (high < Infinity ? std::to_string(high) : std::string()) << ". It stays "
-                  << variable << ".");
+    std::ostringstream range;
+    range.precision(10);
+    range << value << " is refused: it must be ";
+    if (high < Infinity)
+    {
+      range << "from " << low << " to " << high;
+    }
+    else
+    {
+      range << "finite and at least " << low;
+    }
+    vtkErrorMacro(<< name << " " << range.str() << ". It stays " << variable << ".");
     return;
   }
   if (variable != static_cast<Value>(value))

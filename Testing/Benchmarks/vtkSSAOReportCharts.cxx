@@ -798,7 +798,7 @@ bool vtkSSAOWriteErrorAgainstCost(
   chart.Note = "Further left is cheaper, further down is closer to the truth.";
   for (std::size_t i = 0; i < notDrawn.size(); ++i)
   {
-    chart.Note += (i ? ", " : " Not drawn, for want of a cost above 0: ") + notDrawn[i];
+    chart.Note += (i ? ", " : " Not drawn (no cost above 0, or no error): ") + notDrawn[i];
   }
   return WriteChart(chart, fileName);
 }

@@ -91,18 +91,19 @@ vtkSSAOReportMethod HorizonMethod(int directions, int steps)
 }
 
 //------------------------------------------------------------------------------
-void AddSystems(std::vector<vtkSSAOReportMethod>& methods)
+// Every other estimator and denoiser once; quick: with fewer samples than the sources use.
+void AddSystems(std::vector<vtkSSAOReportMethod>& methods, bool quick)
 {
   methods.push_back(KernelMethod("CrytekSphere", Pass::CrytekSphere, 32));
-  methods.push_back(KernelMethod("PositionSphere", Pass::PositionSphere, 128));
-  methods.push_back(KernelMethod("DepthSphere", Pass::DepthSphere, 128));
-  methods.push_back(KernelMethod("HemisphereLinearDepth", Pass::HemisphereLinearDepth, 64));
+  methods.push_back(KernelMethod("PositionSphere", Pass::PositionSphere, quick ? 32 : 128));
+  methods.push_back(KernelMethod("DepthSphere", Pass::DepthSphere, quick ? 32 : 128));
+  methods.push_back(
+    KernelMethod("HemisphereLinearDepth", Pass::HemisphereLinearDepth, quick ? 32 : 64));
   methods.push_back(KernelMethod("ReflectedHemisphere", Pass::ReflectedHemisphere, 26));
   methods.push_back(HorizonMethod(6, 4));
   methods.push_back(HemisphereMethod(32, Pass::Box, "box"));
   methods.push_back(HemisphereMethod(32, Pass::BoxCentered, "centred box"));
   methods.push_back(HemisphereMethod(32, Pass::SeparableGaussian, "Gaussian"));
-  methods.push_back(HemisphereMethod(32, Pass::None, "raw"));
 }
 }
 
@@ -123,19 +124,22 @@ std::vector<vtkSSAOReportMethod> vtkSSAOReportMethods(bool quick)
   {
     methods.push_back(HemisphereMethod(8, Pass::EdgeAware, ""));
     methods.push_back(HemisphereMethod(128, Pass::EdgeAware, ""));
-    AddSystems(methods);
+    AddSystems(methods, true);
     return methods;
   }
   for (int kernelSize : { 8, 16, 32, 64, 128, 256 })
   {
     methods.push_back(HemisphereMethod(kernelSize, Pass::EdgeAware, ""));
   }
-  AddSystems(methods);
+  for (int kernelSize : { 16, 32, 64 })
+  {
+    methods.push_back(HemisphereMethod(kernelSize, Pass::None, "raw"));
+  }
   for (int kernelSize : { 16, 64 })
   {
     methods.push_back(HemisphereMethod(kernelSize, Pass::Box, "box"));
-    methods.push_back(HemisphereMethod(kernelSize, Pass::None, "raw"));
   }
+  AddSystems(methods, false);
   methods.push_back(HorizonMethod(12, 8));
   return methods;
 }

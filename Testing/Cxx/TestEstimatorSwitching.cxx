@@ -3,10 +3,35 @@
 // Estimators, denoisers, kernel and tile sizes and all other controls are changed 1,000 times:
 // textures and programs stay as many as they were, and the picture is the one before.
 
+#include "vtkRenderWindow.h"
 #include "vtkSSAOTestEstimators.h"
+
+#if defined(__unix__) && !defined(__APPLE__)
+#include <dlfcn.h>
+#endif
 
 namespace
 {
+//------------------------------------------------------------------------------
+// Number of objects of a kind ("Texture", "Program", "Shader") in the current context.
+int CountObjects(vtkRenderWindow* window, const std::string& kind)
+{
+  int count = 0;
+#if defined(__unix__) && !defined(__APPLE__)
+  window->MakeCurrent();
+  using Predicate = unsigned char (*)(unsigned int);
+  auto is = reinterpret_cast<Predicate>(dlsym(RTLD_DEFAULT, ("glIs" + kind).c_str()));
+  for (unsigned int name = 1; is && name < 5000; ++name)
+  {
+    count += is(name) ? 1 : 0;
+  }
+#else
+  (void)window;
+  (void)kind;
+#endif
+  return count;
+}
+
 //------------------------------------------------------------------------------
 void Set(vtkScreenSpaceAmbientOcclusionPass* pass, int step)
 {
@@ -44,6 +69,12 @@ int TestEstimatorSwitching(int, char*[])
   const vtkSSAOTestImage before = view.Visibility();
   const int builds = view.Pass->GetNumberOfProgramBuilds();
   const unsigned long bytes = view.Pass->GetTextureMemory();
+  const char* kinds[] = { "Texture", "Program", "Shader", "Framebuffer", "Buffer" };
+  std::vector<int> counts;
+  for (const char* kind : kinds)
+  {
+    counts.push_back(CountObjects(view.Window, kind));
+  }
   for (int step = 0; step < 1000; ++step)
   {
     Set(view.Pass, step);
@@ -56,5 +87,10 @@ int TestEstimatorSwitching(int, char*[])
   test.ExpectAtMost(builds, 12, "of these before");
   test.ExpectEqual(
     static_cast<double>(view.Pass->GetTextureMemory()), static_cast<double>(bytes), "texture bytes");
+  for (int i = 0; i < 5; ++i)
+  {
+    test.ExpectEqual(CountObjects(view.Window, kinds[i]), counts[i],
+      std::string("OpenGL objects of the kind ") + kinds[i]);
+  }
   return test.GetResult();
 }
