@@ -113,7 +113,7 @@ bool Parse(int argc, char* argv[], Options& options, std::string& error)
     options.View.RaysPerPixel = 64;
     options.View.Rounds = 3;
     options.Views = 1;
-    options.Scenes = { "corner_room", "sphere_pack", "living_room", "brain" };
+    options.Scenes = { "long_wall", "sphere_pack", "living_room", "brain" };
   }
   for (std::size_t i = 0; i < words.size(); ++i)
   {

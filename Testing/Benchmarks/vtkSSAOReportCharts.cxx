@@ -209,11 +209,11 @@ std::vector<double> Corners(Shape shape)
 void DrawMarker(vtkContext2D* painter, double x, double y, const Style& style, bool isInFront)
 {
   const std::vector<double> corners = Corners(style.Marker);
-  const int count = static_cast<int>(corners.size() / 2);
+  const std::size_t count = corners.size() / 2;
   const double radius = Scale * (isInFront ? FrontMarkerRadius : MarkerRadius);
   std::vector<float> xs;
   std::vector<float> ys;
-  for (int i = 0; i <= count; ++i)
+  for (std::size_t i = 0; i <= count; ++i)
   {
     xs.push_back(static_cast<float>(x + radius * corners[2 * (i % count)]));
     ys.push_back(static_cast<float>(y + radius * corners[2 * (i % count) + 1]));
@@ -237,13 +237,13 @@ void DrawMarker(vtkContext2D* painter, double x, double y, const Style& style, b
   }
   else
   {
-    painter->DrawPolygon(xs.data(), ys.data(), count);
+    painter->DrawPolygon(xs.data(), ys.data(), static_cast<int>(count));
   }
   const Color& outline = isInFront ? Black : White;
   painter->GetPen()->SetLineType(vtkPen::SOLID_LINE);
   painter->GetPen()->SetColor(outline[0], outline[1], outline[2], 255);
   painter->GetPen()->SetWidth(isInFront ? 1.6f * Scale : 1.0f * Scale);
-  painter->DrawPoly(xs.data(), ys.data(), count + 1);
+  painter->DrawPoly(xs.data(), ys.data(), static_cast<int>(count) + 1);
 }
 
 //------------------------------------------------------------------------------

@@ -78,7 +78,7 @@ Picture Render(const std::vector<vtkAbstractContextItem*>& items, int width, int
       for (int i = 0; i < Scale * Scale; ++i)
       {
         const std::size_t row = static_cast<std::size_t>(y) * Scale + i / Scale;
-        sum += source[row * 3 * Scale * width + column + 3 * (i % Scale)];
+        sum += source[(row * Scale * width + i % Scale) * 3 + column];
       }
       picture.Values[static_cast<std::size_t>(y) * 3 * width + x] =
         static_cast<unsigned char>(sum / (Scale * Scale));

@@ -84,6 +84,7 @@ const std::vector<Column>& Columns()
     NumberColumn("p99", &Row::Percentile99),
     NumberColumn("max", &Row::Maximum),
     NumberColumn("ssim", &Row::StructuralSimilarity),
+    NumberColumn("truth_mean", &Row::TruthMean),
     NumberColumn("truth_standard_error", &Row::TruthStandardError),
     NumberColumn("plain_seconds", &Row::PlainTime),
     NumberColumn("cost_seconds", &Row::Cost),

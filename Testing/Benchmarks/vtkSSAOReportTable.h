@@ -32,6 +32,7 @@ struct vtkSSAOReportRow
   double Percentile99 = 0.0;
   double Maximum = 0.0;
   double StructuralSimilarity = 0.0;
+  double TruthMean = 0.0;          ///< mean of the truth itself
   double TruthStandardError = 0.0; ///< root mean square of the truth's own standard error
 
   double PlainTime = 0.0;     ///< whole frame without a pass

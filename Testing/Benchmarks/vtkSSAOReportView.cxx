@@ -53,6 +53,20 @@ std::vector<float> Values(vtkImageData* image)
 }
 
 //------------------------------------------------------------------------------
+// Mean over the pixels of the mask.
+double Mean(const std::vector<float>& values, const std::vector<unsigned char>& mask)
+{
+  double sum = 0.0;
+  std::size_t pixels = 0;
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    sum += mask[i] ? values[i] : 0.0;
+    pixels += mask[i] ? 1 : 0;
+  }
+  return pixels ? sum / pixels : 1.0;
+}
+
+//------------------------------------------------------------------------------
 // Root mean square of the difference over the pixels of the mask.
 template <typename A, typename B>
 double RootMeanSquare(
@@ -258,6 +272,7 @@ void vtkSSAOReportView::FillErrors(const Trial& trial, vtkSSAOReportRow& row) co
   row.Percentile99 = error.GetPercentile99();
   row.Maximum = error.GetMaximum();
   row.StructuralSimilarity = error.GetStructuralSimilarity();
+  row.TruthMean = Mean(this->Truth.Visibility, this->Truth.Hit);
   row.TruthStandardError = RootMeanSquare(
     this->Truth.StandardError, std::vector<float>(this->Truth.Hit.size(), 0.0F), this->Truth.Hit);
 }

@@ -293,6 +293,7 @@ void TestPoorTables(vtkSSAOTestMonitor& monitor)
   }
 
   std::vector<Row> many;
+  many.reserve(300);
   for (int i = 0; i < 300; ++i)
   {
     many.push_back(MakeRow("a rather long name of a method " + std::to_string(i),
@@ -314,9 +315,10 @@ void TestSheet(vtkSSAOTestMonitor& monitor)
 {
   const int width = 40;
   const int height = 30;
+  const std::size_t pixels = 1200;
   const std::string fileName = Folder + "/TestReportPicturesSheet.png";
-  std::vector<float> truth(width * height, 0.5F);
-  std::vector<unsigned char> mask(width * height, 1);
+  std::vector<float> truth(pixels, 0.5F);
+  std::vector<unsigned char> mask(pixels, 1);
   vtkSSAOReportPanel panel;
   panel.Title = "Known errors";
   panel.Visibility = truth;

@@ -62,10 +62,10 @@ Row MakeRow(const std::string& scene, int view, const std::string& method, doubl
 }
 
 //------------------------------------------------------------------------------
-// Bit by bit, so that -0 is not 0; any NaN is like another.
+// -0 is not 0; any NaN is like another.
 bool Same(double a, double b)
 {
-  return std::isnan(a) ? std::isnan(b) : std::memcmp(&a, &b, sizeof(double)) == 0;
+  return std::isnan(a) ? std::isnan(b) : a == b && std::signbit(a) == std::signbit(b);
 }
 
 //------------------------------------------------------------------------------
@@ -74,7 +74,7 @@ bool Same(const Row& a, const Row& b)
   bool same = a.Scene == b.Scene && a.Kind == b.Kind && a.View == b.View && a.Width == b.Width &&
     a.Height == b.Height && a.Method == b.Method && a.Family == b.Family && a.Samples == b.Samples;
   for (double Row::*member : { &Row::Radius, &Row::RootMeanSquare, &Row::Bias, &Row::Percentile99,
-         &Row::Maximum, &Row::StructuralSimilarity, &Row::TruthStandardError, &Row::PlainTime,
+         &Row::Maximum, &Row::StructuralSimilarity, &Row::TruthMean, &Row::TruthStandardError, &Row::PlainTime,
          &Row::Cost, &Row::CostSpread, &Row::RatioToVTK32, &Row::RatioToVTK64, &Row::RatioToVTK256,
          &Row::TextureBytes, &Row::ArithmeticError, &Row::TwinError })
   {
@@ -111,6 +111,7 @@ vtkSSAOReportTable AwkwardTable()
   row.Percentile99 = Limits::max();
   row.Maximum = -Limits::min();
   row.StructuralSimilarity = 1.0 - Limits::epsilon();
+  row.TruthMean = 0.75;
   row.TruthStandardError = 0.1 + 0.2;
   row.PlainTime = 1234567.875;
   row.Cost = -1.0e-9;

@@ -138,7 +138,7 @@ mutations()
   m texture-leaked vtkSSAOFullScreenStage.cxx \
     '/ReleaseGraphicsResources(vtkWindow/,/^}/s/this->Output = nullptr;/this->Output->Register(nullptr);/;/ReleaseGraphicsResources(vtkWindow/,/^}/s/this->Output->ReleaseGraphicsResources(window);//' \
     'a texture stays behind'
-  m texture-not-resized vtkSSAOFullScreenStage.cxx '/this->Output->Resize(size\.x, size\.y);/d' \
+  m texture-not-resized vtkSSAOFullScreenStage.cxx '/texture->Resize(size\.x, size\.y);/d' \
     'a larger window finds the old texture'
 
   # parameters

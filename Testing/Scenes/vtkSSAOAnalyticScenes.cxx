@@ -100,6 +100,22 @@ bool AddSphereOnPlane(Context& context)
 
 //------------------------------------------------------------------------------
 /**
+ * A long wall in the plane y = 0, 2 high, on a floor that reaches from it to y = -12. Seen straight
+ * down from the wall's foot to the radius 1, the visibility at the distance s from the wall is
+ * 1 - (acos s - s sqrt(1 - s^2)) / pi, and its mean over the picture 1 - 2 / (3 pi).
+ */
+bool AddLongWall(Context& context)
+{
+  constexpr double half = 20.0;
+  Mesh mesh;
+  mesh.AddQuad({ -half, -12.0, 0.0 }, { half, -12.0, 0.0 }, { half, 0.0, 0.0 }, { -half, 0.0, 0.0 });
+  mesh.AddQuad({ -half, 0.0, 0.0 }, { half, 0.0, 0.0 }, { half, 0.0, 2.0 }, { -half, 0.0, 2.0 });
+  AddActor(context.Renderer, mesh.GetFlat(), Colors::Stone);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/**
  * A wall in the plane y = 0 that faces -y; before it, at eight gaps from 0.02 to 5, square plates
  * (upper row), discs (middle row) and spheres (lower row). Depth steps without contact.
  */
@@ -192,6 +208,10 @@ std::vector<Scene> AnalyticScenes()
     { { "sphere_on_plane", Kind::Analytic, "Sphere of radius 1 on a plane", 1.5 },
       { { { 3.5, -5.5, 4.5 }, { 0.0, 0.0, 0.6 } }, { { 0.0, -5.5, 2.3 }, { 0.0, 0.0, 0.7 } } },
       AddSphereOnPlane },
+    { { "long_wall", Kind::Analytic, "Long wall on a floor, seen from above and from the side", 1.0 },
+      { { { 0.0, -0.5, 6.0 }, { 0.0, -0.5, 0.0 }, { 0.0, 1.0, 0.0 }, 30.0, 1.0 },
+        { { -2.0, -7.0, 3.0 }, { 0.0, -0.6, 0.4 } } },
+      AddLongWall },
     { { "floating_plates", Kind::Analytic,
         "Plates, discs and spheres that float 0.02 to 5 before a wall", 1.5 },
       { { { 13.0, -28.0, 12.0 }, { 10.4, -1.0, 3.4 } },

@@ -29,13 +29,15 @@ class vtkUnsignedCharArray;
 
 namespace vtkSSAOScenes
 {
-/// A fixed camera in world units. ViewAngle is vertical, in degrees.
+/// A fixed camera in world units. ViewAngle is vertical, in degrees. ParallelHeight above 0 is the
+/// height of the picture in parallel projection.
 struct View
 {
   glm::dvec3 Position;
   glm::dvec3 FocalPoint;
   glm::dvec3 ViewUp = { 0.0, 0.0, 1.0 };
   double ViewAngle = 30.0;
+  double ParallelHeight = 0.0;
 };
 
 /// What a scene function gets, and where it leaves its error message.

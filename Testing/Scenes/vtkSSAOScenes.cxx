@@ -89,6 +89,8 @@ void PlaceCamera(const View& view, vtkRenderer* renderer)
   camera->SetFocalPoint(view.FocalPoint.x, view.FocalPoint.y, view.FocalPoint.z);
   camera->SetViewUp(view.ViewUp.x, view.ViewUp.y, view.ViewUp.z);
   camera->SetViewAngle(view.ViewAngle);
+  camera->SetParallelProjection(view.ParallelHeight > 0.0);
+  camera->SetParallelScale(0.5 * view.ParallelHeight);
   // Set here because the automatic value depends on whether the window exists already.
   renderer->SetNearClippingPlaneTolerance(0.001);
   renderer->ResetCameraClippingRange();
