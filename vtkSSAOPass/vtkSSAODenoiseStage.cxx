@@ -86,8 +86,7 @@ bool vtkSSAODenoiseStage::RenderAlong(const vtkSSAOView& view,
   const float axis[2] = { across ? 1.0F : 0.0F, across ? 0.0F : 1.0F };
   program->SetUniform2f("axis", axis);
   program->SetUniformf("largestStep", static_cast<float>(0.5 * settings.Radius));
-  const bool drawn =
-    target ? this->DrawToTexture(view, 1, *target) : this->DrawToOutput(view, 1);
+  const bool drawn = target ? this->DrawToTexture(view, 1, *target) : this->DrawToOutput(view, 1);
   visibility->Deactivate();
   geometry->Deactivate();
   return drawn;

@@ -118,9 +118,8 @@ std::vector<glm::vec4> vtkSSAOCubeKernel(int size)
   {
     const std::array<double, 3> random = Quasirandom<3>(i);
     const double share = static_cast<double>(i) / size;
-    kernel.emplace_back((glm::dvec3(random[0], random[1], random[2]) * 2.0 - 1.0) *
-        (0.1 + 0.9 * share * share),
-      0.0);
+    kernel.emplace_back(
+      (glm::dvec3(random[0], random[1], random[2]) * 2.0 - 1.0) * (0.1 + 0.9 * share * share), 0.0);
   }
   return kernel;
 }
@@ -144,7 +143,8 @@ std::vector<glm::vec4> vtkSSAONoiseTile(int size)
   {
     for (int x = 0; x < size; ++x)
     {
-      // Roberts' two-dimensional constants used as a dither: neighbours differ by about .75 and .57.
+      // Roberts' two-dimensional constants used as a dither: neighbours differ by about .75 and
+      // .57.
       const double value = x * 0.7548776662466927 + y * 0.5698402909980532;
       order.push_back(value - std::floor(value));
     }

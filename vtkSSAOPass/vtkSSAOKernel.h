@@ -23,8 +23,8 @@ std::vector<glm::vec4> vtkSSAOHemisphereKernel(int size);
 
 /**
  * Points in the unit ball in pairs through its centre, so that of an even number exactly half lie
- * behind any plane through the centre. Lengths grow from about 1/11 to 1, each (1 + 2.4 / size) times
- * the one before, as in Crytek's shader of 2007. size >= 1; w is 0.
+ * behind any plane through the centre. Lengths grow from about 1/11 to 1, each (1 + 2.4 / size)
+ * times the one before, as in Crytek's shader of 2007. size >= 1; w is 0.
  */
 std::vector<glm::vec4> vtkSSAOSphereKernel(int size);
 

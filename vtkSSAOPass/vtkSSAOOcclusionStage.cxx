@@ -123,8 +123,8 @@ void vtkSSAOOcclusionStage::UpdateSamples(
   }
   if (!this->Noise || static_cast<int>(this->Noise->GetWidth()) != settings.NoiseSize)
   {
-    this->Noise = NewTable(
-      view, settings.NoiseSize, settings.NoiseSize, vtkSSAONoiseTile(settings.NoiseSize));
+    this->Noise =
+      NewTable(view, settings.NoiseSize, settings.NoiseSize, vtkSSAONoiseTile(settings.NoiseSize));
   }
 }
 

@@ -16,8 +16,8 @@
  * Use it with vtkRenderer::SetPass. A delegate is optional: without one the pass draws the scene
  * as the renderer itself would, with the renderer's flags (depth peeling, order-independent
  * translucency, FXAA, hidden line removal). With one, the opaque pass inside it
- * (vtkRenderStepsPass, vtkCameraPass, vtkSequencePass, vtkOpaquePass or an image processing pass over
- * one of them) is wrapped while it renders; a delegate without one is drawn without occlusion.
+ * (vtkRenderStepsPass, vtkCameraPass, vtkSequencePass, vtkOpaquePass or an image processing pass
+ * over one of them) is wrapped while it renders; a delegate without one is drawn without occlusion.
  *
  * All lengths are world units. Radius 0 is automatic.
  *
@@ -120,25 +120,29 @@ public:
   /**
    * The estimator of ambient visibility, by the system it stands for. Those that know of points
    * count a point as hidden when the captured surface lies in front of it. In all of them samples
-   * outside the picture are skipped and leave the divisor (the sources take the nearest pixel of the
-   * border), and all lengths scale with the radius.
+   * outside the picture are skipped and leave the divisor (the sources take the nearest pixel of
+   * the border), and all lengths scale with the radius.
    *
-   * CrytekSphere: Crytek, 2007 (Mittring, "Finding Next Gen: CryEngine 2"). KernelSize points in the
-   * ball about the surface, reflected per pixel by the noise tile; no normal. See HalfRule,
+   * - CrytekSphere: Crytek, 2007 (Mittring, "Finding Next Gen: CryEngine 2"). KernelSize points in
+   * the ball about the surface, reflected per pixel by the noise tile; no normal. See HalfRule,
    * RangeCheck.
-   * PositionSphere: OGLdev, tutorial 45. KernelSize (128 in the source) fixed points in a cube about
-   * the surface; visibility is squared. See RangeCheck. No noise.
-   * DepthSphere: OGLdev, tutorial 46. The same with positions rebuilt from a depth buffer of 32 bits,
-   * and as exact as that is: the nearer the near end of the clipping range, the less.
-   * Hemisphere (default): Chapman, "SSAO Tutorial", 2013, and LearnOpenGL, "SSAO". KernelSize (64 in
-   * the source) points in the hemisphere above the surface, turned per pixel by the noise tile. See
-   * Bias, RangeCheck.
-   * HemisphereLinearDepth: the older version of LearnOpenGL, "SSAO". The same without bias.
-   * ReflectedHemisphere: the SSAO image effect of Unity's standard assets. KernelSize (8, 14 or 26 in
-   * the source) points reflected per pixel by the noise tile, turned to the normal's side and pushed
-   * by 0.3 along the normal. See MinimumDifference, Attenuation, Falloff.
-   * HorizonAngle: HBAO (Bavoil, Sainz, Dimitrov, "Image-Space Horizon-Based Ambient Occlusion",
-   * 2008). The horizon above the tangent plane in Directions x Steps samples. See AngleBias.
+   * - PositionSphere: OGLdev, tutorial 45. KernelSize (128 in the source) fixed points in a cube
+   * about the surface; visibility is squared. In the source the cube does not scale with the
+   * radius. No noise. See RangeCheck.
+   * - DepthSphere: OGLdev, tutorial 46. The same with positions rebuilt from a depth buffer of 32
+   * bits, and as exact as that is: the nearer the near end of the clipping range, the less.
+   * - Hemisphere (default): Chapman, "SSAO Tutorial", 2013, and LearnOpenGL, "SSAO". KernelSize (64
+   * in the source) points in the hemisphere above the surface, turned per pixel by the noise tile.
+   * See Bias, RangeCheck.
+   * - HemisphereLinearDepth: the older version of LearnOpenGL, "SSAO". The same without bias.
+   * - ReflectedHemisphere: the SSAO image effect of Unity's standard assets. KernelSize (8, 14 or
+   * 26 in the source) points reflected per pixel by the noise tile, turned to the normal's side and
+   * pushed by 0.3 along the normal. Their distance in the picture is the radius in pixels at the
+   * surface's depth, in the source a share of the picture's width. See MinimumDifference,
+   * Attenuation, Falloff.
+   * - HorizonAngle: HBAO (Bavoil, Sainz, Dimitrov, "Image-Space Horizon-Based Ambient Occlusion",
+   * 2008). The horizon above the tangent plane in Directions x Steps samples. Elevations are
+   * against the plane that faces the viewer, in the source against the view plane. See AngleBias.
    *
    * An unknown value is refused with an error.
    */
@@ -176,8 +180,8 @@ public:
 
   ///@{
   /**
-   * HorizonAngle: elevation above the tangent plane below which nothing occludes, in degrees, so that
-   * the facets of a coarse mesh do not show. Range [0, 89], default 30, as in NVIDIA's sample.
+   * HorizonAngle: elevation above the tangent plane below which nothing occludes, in degrees, so
+   * that the facets of a coarse mesh do not show. Range [0, 89], default 30, as in NVIDIA's sample.
    * A value out of range is refused with an error.
    */
   void SetAngleBias(double degrees);
@@ -199,8 +203,8 @@ public:
   /**
    * CrytekSphere, PositionSphere, DepthSphere, Hemisphere, HemisphereLinearDepth: whether a surface
    * that lies farther in front than the radius counts less (on, default): not at all in the two of
-   * OGLdev, by smoothstep(0, 1, radius / difference of depths) in the others. Off, objects have dark
-   * halos on what is far behind them.
+   * OGLdev, by smoothstep(0, 1, radius / difference of depths) in the others. Off, objects have
+   * dark halos on what is far behind them.
    */
   vtkSetMacro(RangeCheck, bool);
   vtkGetMacro(RangeCheck, bool);
@@ -209,9 +213,9 @@ public:
 
   ///@{
   /**
-   * ReflectedHemisphere: the depth by which a surface must lie in front of a sample point to hide it,
-   * as a share of the radius. Range [0, 1], default 0.01 ("MinZ" of the source). A value out of range
-   * is refused with an error.
+   * ReflectedHemisphere: the depth by which a surface must lie in front of a sample point to hide
+   * it, as a share of the radius. Range [0, 1], default 0.01 ("MinZ" of the source). A value out of
+   * range is refused with an error.
    */
   void SetMinimumDifference(double share);
   vtkGetMacro(MinimumDifference, double);
@@ -244,10 +248,10 @@ public:
 
   ///@{
   /**
-   * Edge length of the tile of random numbers, in pixels: the rotations, reflections and shifts that
-   * differ from pixel to pixel. Range [1, 64], default 4; 1 uses the same for all pixels, which shows
-   * as banding. The denoisers span one tile.
-   * A value out of range is refused with an error.
+   * Edge length of the tile of random numbers, in pixels: the rotations, reflections and shifts
+   * that differ from pixel to pixel. Range [1, 64], default 4; 1 uses the same for all pixels,
+   * which shows as banding. The denoisers span one tile. A value out of range is refused with an
+   * error.
    */
   void SetNoiseSize(int size);
   vtkGetMacro(NoiseSize, int);
@@ -257,10 +261,10 @@ public:
   /**
    * How far the captured surface must lie in front of a sample point to hide it, in world units:
    * CrytekSphere, PositionSphere, DepthSphere, Hemisphere, HemisphereLinearDepth. Automatic by
-   * default, GetBias() is then -1: 0.05 x the effective radius for Hemisphere, as in its source, and
-   * 0 for the others, whose sources have none. Range of SetBias: [0, inf). In Hemisphere the depth
-   * that the surface itself gains within half a pixel is always added, so that a grazing plane does
-   * not hide itself. A negative, infinite or NaN value is refused with an error.
+   * default, GetBias() is then -1: 0.05 x the effective radius for Hemisphere, as in its source,
+   * and 0 for the others, whose sources have none. Range of SetBias: [0, inf). In Hemisphere the
+   * depth that the surface itself gains within half a pixel is always added, so that a grazing
+   * plane does not hide itself. A negative, infinite or NaN value is refused with an error.
    */
   void SetBias(double bias);
   void SetBiasToAutomatic();
@@ -276,15 +280,15 @@ public:
   /**
    * How the noise of the estimator is removed, over one noise tile of N x N pixels (N = NoiseSize;
    * with N = 1 there is nothing to remove and all do nothing).
-   * None: not at all.
-   * Box: the plain mean at -N/2 .. N/2 - 1 pixels (LearnOpenGL, "SSAO": -2..1). It leaks over edges,
-   * as the next does.
-   * BoxCentered: the plain mean at -(N-1)/2 .. (N-1)/2 pixels with linear filtering (OGLdev,
+   * - None: not at all.
+   * - Box: the plain mean at -N/2 .. N/2 - 1 pixels (LearnOpenGL, "SSAO": -2..1). It leaks over
+   * edges, as the next does.
+   * - BoxCentered: the plain mean at -(N-1)/2 .. (N-1)/2 pixels with linear filtering (OGLdev,
    * tutorial 45: -1.5..1.5), so that the picture does not shift.
-   * SeparableGaussian: across, then down, over N pixels to either side with a standard deviation of
-   * N/2, of the pixels whose depth differs by less than half the radius and whose normal by less than
-   * 41 degrees (Unity's SSAO image effect, whose weights 5 4 3 2 1 have the same variance).
-   * EdgeAware (default): the mean over one noise tile of the pixels on the same surface, by
+   * - SeparableGaussian: across, then down, over N pixels to either side with a standard deviation
+   * of N/2, of the pixels whose depth differs by less than half the radius and whose normal by less
+   * than 41 degrees (Unity's SSAO image effect, whose weights 5 4 3 2 1 have the same variance).
+   * - EdgeAware (default): the mean over one noise tile of the pixels on the same surface, by
    * distance from the tangent plane and by normal.
    * An unknown value is refused with an error.
    */

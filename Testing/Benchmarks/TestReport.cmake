@@ -2,6 +2,7 @@
 # the truth is right where it is known in closed form.
 #   REPORT  the program
 #   OUTPUT  a folder for its files, emptied first
+cmake_minimum_required(VERSION 3.19)
 file(REMOVE_RECURSE "${OUTPUT}")
 
 function (run)
@@ -15,8 +16,9 @@ function (run)
   set(output "${output}" PARENT_SCOPE)
 endfunction ()
 
-function (expect condition text)
-  if (NOT (${condition}))
+# expect(<text> <condition>...)
+function (expect text)
+  if (NOT (${ARGN}))
     message(SEND_ERROR "${text}")
   endif ()
 endfunction ()
@@ -29,20 +31,20 @@ foreach (name IN ITEMS report.csv report.json error_cost.png error_samples.png
   if (EXISTS "${OUTPUT}/${name}")
     file(SIZE "${OUTPUT}/${name}" size)
   endif ()
-  expect("${size} GREATER 500" "${name} is missing or empty")
+  expect("${name} is missing or empty" ${size} GREATER 500)
 endforeach ()
 
 # Four methods (VTK's three and ours) on two scenes, and every column has a value.
 file(STRINGS "${OUTPUT}/report.csv" lines)
 list(LENGTH lines count)
-expect("${count} EQUAL 9" "report.csv has ${count} lines, not 9")
+expect("report.csv has ${count} lines, not 9" ${count} EQUAL 9)
 list(GET lines 0 header)
 string(REPLACE "," ";" columns "${header}")
 foreach (column IN ITEMS scene view method samples rmse bias p99 max ssim truth_mean
     truth_standard_error plain_seconds cost_seconds cost_to_vtk_32 cost_to_vtk_64 cost_to_vtk_256
     capture_seconds occlusion_seconds denoise_seconds modulate_seconds texture_bytes
     arithmetic_error twin_error)
-  expect("\"${column}\" IN_LIST columns" "report.csv has no column ${column}")
+  expect("report.csv has no column ${column}" "${column}" IN_LIST columns)
 endforeach ()
 
 # Mean of the closed form over the picture: 1 - 2 / (3 pi) = 0.7878. At 256 rays per pixel the mean
@@ -53,22 +55,22 @@ foreach (line IN LISTS lines)
   string(REPLACE "," ";" values "${line}")
   if (line MATCHES "^long_wall")
     list(GET values ${truth} mean)
-    expect("${mean} GREATER 0.7848 AND ${mean} LESS 0.7908" "the truth of long_wall is ${mean}")
+    expect("the truth of long_wall is ${mean}" ${mean} GREATER 0.7848 AND ${mean} LESS 0.7908)
   endif ()
   if (NOT line STREQUAL header)
     list(GET values ${rmse} error)
-    expect("${error} GREATER 0 AND ${error} LESS 0.5" "an RMSE is ${error}: ${line}")
+    expect("an RMSE is ${error}: ${line}" ${error} GREATER 0 AND ${error} LESS 0.5)
   endif ()
 endforeach ()
 
 file(READ "${OUTPUT}/report.json" json)
 string(JSON rows LENGTH "${json}" rows)
 string(JSON means LENGTH "${json}" means)
-expect("${rows} EQUAL 8" "report.json has ${rows} rows, not 8")
-expect("${means} EQUAL 4" "report.json has ${means} means, not 4")
+expect("report.json has ${rows} rows, not 8" ${rows} EQUAL 8)
+expect("report.json has ${means} means, not 4" ${means} EQUAL 4)
 
 # A second run finds everything measured.
 run()
 string(REGEX MATCHALL "measured before" before "${output}")
 list(LENGTH before count)
-expect("${count} EQUAL 2" "a finished report was measured again:\n${output}")
+expect("a finished report was measured again:\n${output}" ${count} EQUAL 2)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Denoisers None, Box and BoxCentered: the means that their sources take, at every pixel, also where
-// they leak over edges and reach over the picture's border.
+// Denoisers None, Box and BoxCentered: the means that their sources take, at every pixel, also
+// where they leak over edges and reach over the picture's border.
 
 #include "vtkSSAOTestEstimators.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The denoisers at an edge: a table, dark under a ball, before a ground that is far below. The plain
-// means carry the one's V over to the other, those that know of edges do not.
+// The denoisers at an edge: a table, dark under a ball, before a ground that is far below. The
+// plain means carry the one's V over to the other, those that know of edges do not.
 
 #include "vtkSSAOTestEstimators.h"
 
@@ -39,7 +39,8 @@ int TestDenoiserEdges(int, char*[])
     {
       view.Pass->SetDenoiser(denoiser);
       const double least = vtkSSAOMeasure(view.Visibility(), beside).Minimum;
-      const std::string what = std::string("Least V of the ground with ") + names[denoiser] + projection;
+      const std::string what =
+        std::string("Least V of the ground with ") + names[denoiser] + projection;
       denoiser <= 2 ? test.ExpectAtMost(least, 0.95, what) : test.ExpectAtLeast(least, 0.99, what);
     }
   }

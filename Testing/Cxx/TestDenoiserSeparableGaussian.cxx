@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Denoiser SeparableGaussian: the weights of its source's blur, across and then down, of pixels that
-// are alike; smooth where the surface is, sharp at its edges.
+// Denoiser SeparableGaussian: the weights of its source's blur, across and then down, of pixels
+// that are alike; smooth where the surface is, sharp at its edges.
 
 #include "vtkSSAOTestEstimators.h"
 
@@ -48,8 +48,7 @@ vtkSSAOTestImage Blurred(
           weights += weight;
         }
       }
-      result.At(x, y) =
-        surface.Depth.At(x, y) > 0.0F ? static_cast<float>(sum / weights) : 1.0F;
+      result.At(x, y) = surface.Depth.At(x, y) > 0.0F ? static_cast<float>(sum / weights) : 1.0F;
     }
   }
   return result;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Estimator Hemisphere: its twin, its properties, the banding without rotations and the halo without
-// range check.
+// Estimator Hemisphere: its twin, its properties, the banding without rotations and the halo
+// without range check.
 
 #include "vtkSSAOTestEstimators.h"
 
@@ -62,8 +62,8 @@ int TestEstimatorHemisphere(int, char*[])
   vtkSSAOTest::ExpectProperties(test, setUp, 1.0, 0.005, 0.12, "Hemisphere");
 
   {
-    // In a corner V changes with the distance from the crease only, and slowly. Without rotations all
-    // pixels share their points, and V changes in steps, which no blur over a tile takes away.
+    // In a corner V changes with the distance from the crease only, and slowly. Without rotations
+    // all pixels share their points, and V changes in steps, which no blur over a tile takes away.
     vtkSSAOTestView view(test, 128, 160);
     vtkSSAOAddCorner(view);
     vtkSSAOLookAtCorner(view, true);
@@ -78,8 +78,7 @@ int TestEstimatorHemisphere(int, char*[])
     view.Pass->SetNoiseSize(1);
     const double banded = BandsOf(MeanOfRows(view.Visibility()), smooth, 30, 129);
     test.ExpectAtLeast(banded, 0.01, "Bands of a corner without rotations, root mean square");
-    test.ExpectAtMost(
-      rotated / banded, 0.25, "Share of them that is left with 4 x 4 rotations");
+    test.ExpectAtMost(rotated / banded, 0.25, "Share of them that is left with 4 x 4 rotations");
   }
   {
     // A ball far before a wall must not darken it.

@@ -43,7 +43,7 @@ int TestEstimatorReflectedHemisphere(int, char*[])
   test.ExpectAtLeast(view.MeasureSurfaces(view.Visibility()).Mean, usual + 0.01,
     "mean V with a minimum difference of 0.5, above the one with 0.01");
   view.Pass->SetMinimumDifference(1.0);
-  test.ExpectEqual(view.MeasureSurfaces(view.Visibility()).Mean, 1.0,
-    "mean V with a minimum difference of 1");
+  test.ExpectEqual(
+    view.MeasureSurfaces(view.Visibility()).Mean, 1.0, "mean V with a minimum difference of 1");
   return test.GetResult();
 }

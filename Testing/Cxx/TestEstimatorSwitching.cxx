@@ -85,8 +85,8 @@ int TestEstimatorSwitching(int, char*[])
   test.ExpectEqual(view.Pass->GetNumberOfProgramBuilds(), builds, "programs built");
   // Seven estimators, four denoisers, and the modulation of the light.
   test.ExpectAtMost(builds, 12, "of these before");
-  test.ExpectEqual(
-    static_cast<double>(view.Pass->GetTextureMemory()), static_cast<double>(bytes), "texture bytes");
+  test.ExpectEqual(static_cast<double>(view.Pass->GetTextureMemory()), static_cast<double>(bytes),
+    "texture bytes");
   for (int i = 0; i < 5; ++i)
   {
     test.ExpectEqual(CountObjects(view.Window, kinds[i]), counts[i],

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The sample points of the sphere estimators, the tile of random numbers, and the mirrors made of it.
+// The sample points of the sphere estimators, the tile of random numbers, and the mirrors made of
+// it.
 
 #include "vtkSSAOKernel.h"
 #include "vtkSSAOShaderFunctions.h"
@@ -147,8 +148,7 @@ void TestWindowDepth(vtkSSAOTestMonitor& test)
       for (int kind = 0; kind < 2; ++kind)
       {
         const glm::vec4 rows = kind ? parallel : perspective;
-        const double back =
-          shader::ssaoDepthOfWindow(shader::ssaoWindowOfDepth(depth, rows), rows);
+        const double back = shader::ssaoDepthOfWindow(shader::ssaoWindowOfDepth(depth, rows), rows);
         // What one step of the buffer, 2^-24, is in depth.
         const double step =
           (kind ? range : double(depth) * depth * range / (high * low)) * std::pow(2.0, -24.0);

@@ -35,11 +35,11 @@ constexpr int NumberOfEstimators = 7;
 /**
  * The picture in single precision, not denoised, equals the same text in double to within 1/255.
  *
- * Where a comparison falls within rounding of its threshold (a sample on the edge of a texel, a point
- * on the surface, a surface at the radius), single precision may decide otherwise than double. Such
- * pixels are known by disturbing the twin by about what rounding may do, 1/2000 of a pixel and 2e-6 of
- * the depths: the picture must then lie, to within 1/255, between what the disturbed twins give.
- * They are counted and may be two in a thousand.
+ * Where a comparison falls within rounding of its threshold (a sample on the edge of a texel, a
+ * point on the surface, a surface at the radius), single precision may decide otherwise than
+ * double. Such pixels are known by disturbing the twin by about what rounding may do, 1/2000 of a
+ * pixel and 2e-6 of the depths: the picture must then lie, to within 1/255, between what the
+ * disturbed twins give. They are counted and may be two in a thousand.
  */
 inline void ExpectTwin(vtkSSAOTestMonitor& test, vtkSSAOTestView& view, const std::string& what)
 {
@@ -131,8 +131,8 @@ inline double MeanAbout(
   const double* display = view.Renderer->GetDisplayPoint();
   const int column = static_cast<int>(display[0]);
   const int row = static_cast<int>(display[1]);
-  return vtkSSAOMeasure(image,
-    [=](int i, int j) { return std::abs(i - column) <= 2 && std::abs(j - row) <= 2; })
+  return vtkSSAOMeasure(
+    image, [=](int i, int j) { return std::abs(i - column) <= 2 && std::abs(j - row) <= 2; })
     .Mean;
 }
 
@@ -159,8 +159,7 @@ inline vtkSSAOStatistics OpenFloor(vtkSSAOTestView& view, double elevation, bool
   LookAtFloor(view, elevation, parallel);
   const vtkSSAOTestImage v = view.Visibility();
   return vtkSSAOMeasure(v,
-    [&](int x, int y)
-    {
+    [&](int x, int y) {
       return std::abs(x - v.Width / 2) < v.Width / 4 && std::abs(y - v.Height / 2) < v.Height / 8;
     });
 }
@@ -230,8 +229,7 @@ inline void ExpectProperties(vtkSSAOTestMonitor& test,
     const double near = MeanAbout(view, v, 0.0, 0.0, 0.4);
     const double away = MeanAbout(view, v, 0.0, 0.0, 2.6);
     test.ExpectAtLeast(away - near, contrast,
-      what + ", V away from a ball minus V under it, " +
-        (parallel ? "parallel" : "perspective"));
+      what + ", V away from a ball minus V under it, " + (parallel ? "parallel" : "perspective"));
   }
 }
 }

@@ -135,8 +135,8 @@ vec3 ssaoTangent(vec3 normal, vec2 rotation)
 }
 
 // Normal of the plane at which a pixel's sample points are reflected. noise: the pixel's random
-// numbers, see vtkSSAONoiseTile. Over a tile the normals cover one half of the sphere evenly, and the
-// other half would give the same planes.
+// numbers, see vtkSSAONoiseTile. Over a tile the normals cover one half of the sphere evenly, and
+// the other half would give the same planes.
 vec3 ssaoMirror(vec4 noise)
 {
   float across = sqrt(float(1.0) - noise.y * noise.y);

@@ -1,10 +1,10 @@
 // Stage 2, estimator DepthSphere: OGLdev, tutorial 46 ("SSAO With Depth Reconstruction").
-// PositionSphere with every depth taken through a depth buffer of 32 bits: what the buffer would hold
-// is computed from the captured depth, and the view depth rebuilt from that.
+// PositionSphere with every depth taken through a depth buffer of 32 bits: what the buffer would
+// hold is computed from the captured depth, and the view depth rebuilt from that.
 //   pixel    position in the framebuffer
 //   center   the geometry there: (depth, packed normal, packed facet normal, 1)
-// Returns the square of the visible share, 1 open. Sample points outside the viewport or behind the
-// eye leave the divisor: nothing is known of them.
+// Returns the square of the visible share, 1 open. Sample points outside the viewport or behind
+// the eye leave the divisor: nothing is known of them.
 
 // The depth as it comes back from a depth buffer; 0, no surface, stays 0.
 float ssaoDepthFromBuffer(float depth)

@@ -1,18 +1,18 @@
 // Stage 2, estimator HorizonAngle: Bavoil, Sainz, Dimitrov, "Image-Space Horizon-Based Ambient
-// Occlusion" (2008). In directions about the pixel, the horizon is searched: the highest elevation of
-// what is seen within the radius. Each sample that raises it adds the sine it is raised by,
-// attenuated by 1 - (distance / radius)^2. Sines are counted from that of the tangent plane plus the
-// angle bias, in the sample's own direction (the better of the two qualities of NVIDIA's sample).
-// Elevations are against the plane that faces the viewer; in the source against the view plane, which
-// is the same at the picture's centre, but off it a wall that is seen may face away from it. The
-// directions turn and the samples shift from pixel to pixel.
+// Occlusion" (2008). In directions about the pixel, the horizon is searched: the highest elevation
+// of what is seen within the radius. Each sample that raises it adds the sine it is raised by,
+// attenuated by 1 - (distance / radius)^2. Sines are counted from that of the tangent plane plus
+// the angle bias, in the sample's own direction (the better of the two qualities of NVIDIA's
+// sample). Elevations are against the plane that faces the viewer; in the source against the view
+// plane, which is the same at the picture's centre, but off it a wall that is seen may face away
+// from it. The directions turn and the samples shift from pixel to pixel.
 //   pixel    position in the framebuffer
 //   center   the geometry there: (depth, packed normal, packed facet normal, 1)
-// Returns 1 minus the mean over the directions, 1 open. Samples outside the viewport are skipped; a
-// direction with none inside leaves the divisor.
+// Returns 1 minus the mean over the directions, 1 open. Samples outside the viewport are skipped;
+// a direction with none inside leaves the divisor.
 
-// Sine of the elevation, against the plane that faces the viewer, of a tangent plane plus the angle
-// bias, at most upright. along: direction in that plane, any length.
+// Sine of the elevation, against the plane that faces the viewer, of a tangent plane plus the
+// angle bias, at most upright. along: direction in that plane, any length.
 float ssaoBiasedTangentSine(vec3 normal, vec3 viewer, vec3 along)
 {
   float rise = -dot(normal, along);

@@ -26,9 +26,9 @@ vec3 ssaoKernelAt(int index)
   return textureLod(kernelTexture, vec2((float(index) + 0.5) / float(kernelSize), 0.5), 0.0).xyz;
 }
 
-// The random numbers of a pixel: (turn, second number, cos and sin of the turn), the first two from 0
-// to 1. The tile starts at the viewport's corner, so that the picture does not depend on where the
-// viewport lies.
+// The random numbers of a pixel: (turn, second number, cos and sin of the turn), the first two
+// from 0 to 1. The tile starts at the viewport's corner, so that the picture does not depend on
+// where the viewport lies.
 vec4 ssaoNoiseAt(vec2 pixel)
 {
   return textureLod(noiseTexture, (pixel - viewport.xy) / noiseSize, 0.0);

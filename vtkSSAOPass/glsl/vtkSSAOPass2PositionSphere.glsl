@@ -1,12 +1,12 @@
-// Stage 2, estimator PositionSphere: OGLdev, tutorial 45 ("Screen Space Ambient Occlusion"). The same
-// points of the cube about the surface for every pixel, in view coordinates, no normal: those behind
-// the captured surface are hidden if that surface is not farther from the centre's depth than the
-// radius. The visible share is squared. In the source the points do not scale with the radius, which
-// is that of the range check only; here both do.
+// Stage 2, estimator PositionSphere: OGLdev, tutorial 45 ("Screen Space Ambient Occlusion"). The
+// same points of the cube about the surface for every pixel, in view coordinates, no normal: those
+// behind the captured surface are hidden if that surface is not farther from the centre's depth
+// than the radius. The visible share is squared. In the source the points do not scale with the
+// radius, which is that of the range check only; here both do.
 //   pixel    position in the framebuffer
 //   center   the geometry there: (depth, packed normal, packed facet normal, 1)
-// Returns the square of the visible share, 1 open. Sample points outside the viewport or behind the
-// eye leave the divisor: nothing is known of them.
+// Returns the square of the visible share, 1 open. Sample points outside the viewport or behind
+// the eye leave the divisor: nothing is known of them.
 float ssaoVisibility(vec2 pixel, vec4 center)
 {
   vec3 positionVC =

@@ -1,14 +1,16 @@
 // Stage 2, estimator ReflectedHemisphere: the SSAO image effect of Unity's standard assets. Fixed
-// points of the ball, reflected at a plane that differs from pixel to pixel, turned to the normal's
-// side and moved by 0.3 along the normal. Where such a point lies in the picture follows from its x
-// and y at the depth of the centre alone, without its own depth. In the source that distance is a
-// share of the picture's width divided by the depth; here it is the radius in pixels.
+// points of the ball, reflected at a plane that differs from pixel to pixel, turned to the
+// normal's side and moved by 0.3 along the normal. Where such a point lies in the picture follows
+// from its x and y at the depth of the centre alone, without its own depth. In the source that
+// distance is a share of the picture's width divided by the depth; here it is the radius in
+// pixels.
 //   pixel    position in the framebuffer
 //   center   the geometry there: (depth, packed normal, packed facet normal, 1)
 // Returns 1 minus the mean weight of the occluders, 1 open. Samples outside the viewport leave the
 // divisor: nothing is known of them.
 
-// Weight of an occluder that lies in front of the sample point by a share of the radius from 0 to 1.
+// Weight of an occluder that lies in front of the sample point by a share of the radius from 0 to
+// 1.
 float ssaoOccluderWeight(float difference)
 {
   float near = float(1.0) - difference;

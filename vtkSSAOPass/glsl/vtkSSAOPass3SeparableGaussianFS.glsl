@@ -1,9 +1,10 @@
 //VTK::System::Dec
 //VTK::Output::Dec
 
-// Stage 3, denoiser SeparableGaussian: the blur of Unity's SSAO image effect, drawn twice, across and
-// then down. A Gaussian over the pixels to either side, as far as one noise tile, of those whose depth
-// and normal are alike. The source's weights are 5 4 3 2 1; the Gaussian has the same variance.
+// Stage 3, denoiser SeparableGaussian: the blur of Unity's SSAO image effect, drawn twice, across
+// and then down. A Gaussian over the pixels to either side, as far as one noise tile, of those
+// whose depth and normal are alike. The source's weights are 5 4 3 2 1; the Gaussian has the same
+// variance.
 
 //SSAO::Functions
 //SSAO::View
