@@ -74,9 +74,9 @@ bool Same(const Row& a, const Row& b)
   bool same = a.Scene == b.Scene && a.Kind == b.Kind && a.View == b.View && a.Width == b.Width &&
     a.Height == b.Height && a.Method == b.Method && a.Family == b.Family && a.Samples == b.Samples;
   for (double Row::*member : { &Row::Radius, &Row::RootMeanSquare, &Row::Bias, &Row::Percentile99,
-         &Row::Maximum, &Row::StructuralSimilarity, &Row::TruthMean, &Row::TruthStandardError, &Row::PlainTime,
-         &Row::Cost, &Row::CostSpread, &Row::RatioToVTK32, &Row::RatioToVTK64, &Row::RatioToVTK256,
-         &Row::TextureBytes, &Row::ArithmeticError, &Row::TwinError })
+         &Row::Maximum, &Row::StructuralSimilarity, &Row::TruthMean, &Row::TruthStandardError,
+         &Row::PlainTime, &Row::Cost, &Row::CostSpread, &Row::RatioToVTK32, &Row::RatioToVTK64,
+         &Row::RatioToVTK256, &Row::TextureBytes, &Row::ArithmeticError, &Row::TwinError })
   {
     same = same && Same(a.*member, b.*member);
   }
