@@ -45,9 +45,17 @@ namespace fs = std::filesystem;
 using Pass = vtkScreenSpaceAmbientOcclusionPass;
 
 const Choices Qualities = { { "fast", 0 }, { "balanced", 1 }, { "accurate", 2 } };
-const Choices Estimators = { { "hemisphere", Pass::Hemisphere } };
+const Choices Estimators = { { "crytek-sphere", Pass::CrytekSphere },
+  { "position-sphere", Pass::PositionSphere }, { "depth-sphere", Pass::DepthSphere },
+  { "hemisphere", Pass::Hemisphere }, { "hemisphere-linear-depth", Pass::HemisphereLinearDepth },
+  { "reflected-hemisphere", Pass::ReflectedHemisphere },
+  { "horizon-angle", Pass::HorizonAngle } };
 const Choices Denoisers = { { "none", Pass::None }, { "box", Pass::Box },
+  { "box-centered", Pass::BoxCentered }, { "separable-gaussian", Pass::SeparableGaussian },
   { "edge-aware", Pass::EdgeAware } };
+const Choices Falloffs = { { "power", Pass::PowerFalloff },
+  { "null-square", Pass::NullSquareFalloff }, { "inverse-square", Pass::InverseSquareFalloff } };
+const Choices Switches = { { "off", 0 }, { "on", 1 } };
 const Choices Modulations = { { "ambient", Pass::Ambient },
   { "ambient-and-diffuse", Pass::AmbientAndDiffuse }, { "all", Pass::All } };
 const Choices OutputModes = { { "composite", Pass::Composite }, { "occlusion", Pass::Occlusion },
@@ -165,13 +173,34 @@ std::vector<Option> PassOptions(Pass* pass)
       "Distance within which geometry occludes, world units; 0 is automatic, a tenth of the "
       "diagonal.",
       Text(pass->GetRadius()) },
-    { "--kernel-size", "N", Whole(1, 256, [=](int n) { pass->SetKernelSize(n); }),
+    { "--kernel-size", "N", Whole(1, 1024, [=](int n) { pass->SetKernelSize(n); }),
       "Samples per pixel.", preset },
+    { "--directions", "N", Whole(1, 64, [=](int n) { pass->SetDirections(n); }),
+      "Directions about a pixel, with horizon-angle.", Text(pass->GetDirections()) },
+    { "--steps", "N", Whole(1, 64, [=](int n) { pass->SetSteps(n); }),
+      "Samples in each direction, with horizon-angle.", Text(pass->GetSteps()) },
+    { "--angle-bias", "DEG", Number(0.0, 89.0, [=](double a) { pass->SetAngleBias(a); }),
+      "Elevation below which nothing occludes, degrees, with horizon-angle.",
+      Text(pass->GetAngleBias()) },
+    { "--half-rule", "NAME", Choice(Switches, [=](int on) { pass->SetHalfRule(on != 0); }),
+      "Whether only what is hidden beyond one half counts, with crytek-sphere.", "on" },
+    { "--range-check", "NAME", Choice(Switches, [=](int on) { pass->SetRangeCheck(on != 0); }),
+      "Whether surfaces farther in front than the radius count less.", "on" },
+    { "--minimum-difference", "F",
+      Number(0.0, 1.0, [=](double f) { pass->SetMinimumDifference(f); }),
+      "Depth by which an occluder lies in front, radii, with reflected-hemisphere.",
+      Text(pass->GetMinimumDifference()) },
+    { "--attenuation", "F", Number(0.01, 100.0, [=](double f) { pass->SetAttenuation(f); }),
+      "Above 1 far occluders count more, with reflected-hemisphere.",
+      Text(pass->GetAttenuation()) },
+    { "--falloff", "NAME", Choice(Falloffs, [=](int f) { pass->SetFalloff(f); }),
+      "How the weight falls with distance, with reflected-hemisphere.",
+      NameOf(Falloffs, pass->GetFalloff()) },
     { "--noise-size", "N", Whole(1, 64, [=](int n) { pass->SetNoiseSize(n); }),
       "Edge of the tile of random rotations, pixels.", Text(pass->GetNoiseSize()) },
     { "--bias", "B", { "0 or more, or auto", setBias },
       "How far a surface lies in front of a sample that it hides, world units; auto is 0.05 of "
-      "the radius.",
+      "the radius for hemisphere, else 0.",
       "auto" },
     { "--denoiser", "NAME", Choice(Denoisers, [=](int d) { pass->SetDenoiser(d); }),
       "How the noise of the estimate is removed.", preset },
