@@ -48,8 +48,7 @@ const Choices Qualities = { { "fast", 0 }, { "balanced", 1 }, { "accurate", 2 } 
 const Choices Estimators = { { "crytek-sphere", Pass::CrytekSphere },
   { "position-sphere", Pass::PositionSphere }, { "depth-sphere", Pass::DepthSphere },
   { "hemisphere", Pass::Hemisphere }, { "hemisphere-linear-depth", Pass::HemisphereLinearDepth },
-  { "reflected-hemisphere", Pass::ReflectedHemisphere },
-  { "horizon-angle", Pass::HorizonAngle } };
+  { "reflected-hemisphere", Pass::ReflectedHemisphere }, { "horizon-angle", Pass::HorizonAngle } };
 const Choices Denoisers = { { "none", Pass::None }, { "box", Pass::Box },
   { "box-centered", Pass::BoxCentered }, { "separable-gaussian", Pass::SeparableGaussian },
   { "edge-aware", Pass::EdgeAware } };
@@ -498,7 +497,7 @@ void Run(const std::vector<std::string>& words)
 
 int main(int argc, char* argv[])
 {
-  rendermesh::CollectMessages();
+  rendermesh::CollectMessages("RenderMesh");
   try
   {
     rendermesh::Run(std::vector<std::string>(argv + 1, argv + argc));

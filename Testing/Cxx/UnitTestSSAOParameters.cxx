@@ -60,6 +60,14 @@ std::vector<Parameter> Parameters()
     PARAMETER(Modulation, Pass::AmbientAndDiffuse, true, { 0, 1, 2 }, { -1, 3 }),
     PARAMETER(OutputMode, Pass::Composite, true, { 0, 1, 2, 3, 4 }, { -1, 5 }),
     PARAMETER(Estimator, Pass::Hemisphere, true, { Pass::Hemisphere }, { -1, 1000 }),
+    PARAMETER(Directions, 6.0, true, { 1, 7, 64 }, { 0, -1, 65, 2147483647 }),
+    PARAMETER(Steps, 4.0, true, { 1, 7, 64 }, { 0, -1, 65, 2147483647 }),
+    PARAMETER(AngleBias, 30.0, false, { 0.0, 45.0, 89.0 }, with({ -0.1, 89.5, 90.0 })),
+    PARAMETER(HalfRule, 1.0, true, { 0, 1 }, {}),
+    PARAMETER(RangeCheck, 1.0, true, { 0, 1 }, {}),
+    PARAMETER(MinimumDifference, 0.01, false, { 0.0, 0.5, 1.0 }, with({ -0.01, 1.01 })),
+    PARAMETER(Attenuation, 1.0, false, { 0.01, 2.0, 100.0 }, with({ 0.0, -1.0, 100.5 })),
+    PARAMETER(Falloff, Pass::PowerFalloff, true, { 0, 1, 2 }, { -1, 3, 1000 }),
   };
 }
 #undef PARAMETER
@@ -156,6 +164,14 @@ void TestPrintSelf(vtkSSAOTestMonitor& test)
   pass->SetRadius(0.515625);
   pass->SetBias(0.0625);
   pass->SetKernelSize(77);
+  pass->SetDirections(11);
+  pass->SetSteps(13);
+  pass->SetAngleBias(12.5);
+  pass->HalfRuleOff();
+  pass->RangeCheckOff();
+  pass->SetMinimumDifference(0.03125);
+  pass->SetFalloffToInverseSquare();
+  pass->SetAttenuation(1.75);
   pass->SetNoiseSize(9);
   pass->SetIntensity(1.25);
   pass->SetPower(3.125);
@@ -167,10 +183,12 @@ void TestPrintSelf(vtkSSAOTestMonitor& test)
   pass->Print(printed);
   const std::pair<const char*, const char*> lines[] = { { "Radius", "0.515625" },
     { "EffectiveRadius", "0.515625" }, { "Estimator", "" }, { "KernelSize", "77" },
-    { "NoiseSize", "9" }, { "Bias", "0.0625" }, { "Denoiser", "" }, { "Modulation", "" },
-    { "Intensity", "1.25" }, { "Power", "3.125" }, { "IntensityScale", "2.375" },
-    { "IntensityShift", "-0.4375" }, { "OutputMode", "" }, { "DepthFormat", "42" },
-    { "VolumeOpacityThreshold", "0.8125" }, { "StageTiming", "" } };
+    { "Directions", "11" }, { "Steps", "13" }, { "AngleBias", "12.5" }, { "HalfRule", "off" },
+    { "RangeCheck", "off" }, { "MinimumDifference", "0.03125" }, { "Falloff", "2" },
+    { "Attenuation", "1.75" }, { "NoiseSize", "9" }, { "Bias", "0.0625" }, { "Denoiser", "" },
+    { "Modulation", "" }, { "Intensity", "1.25" }, { "Power", "3.125" },
+    { "IntensityScale", "2.375" }, { "IntensityShift", "-0.4375" }, { "OutputMode", "" },
+    { "DepthFormat", "42" }, { "VolumeOpacityThreshold", "0.8125" }, { "StageTiming", "" } };
   for (const auto& line : lines)
   {
     const std::string wanted = std::string(" ") + line.first + ": " + line.second;

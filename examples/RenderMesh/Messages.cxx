@@ -75,6 +75,8 @@ public:
 };
 vtkStandardNewMacro(Collector);
 
+std::string Program;
+
 Collector* Collected()
 {
   return Collector::SafeDownCast(vtkOutputWindow::GetInstance());
@@ -94,8 +96,9 @@ extern "C" void ReportCrash(int)
 }
 
 //------------------------------------------------------------------------------
-void CollectMessages()
+void CollectMessages(const std::string& program)
 {
+  Program = program;
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   vtkOutputWindow::SetInstance(vtkNew<Collector>());
 }
@@ -118,7 +121,7 @@ void CheckMessages(const std::string& what)
   }
   for (const std::string& warning : warnings)
   {
-    std::cerr << "RenderMesh: warning: " << warning << "\n";
+    std::cerr << Program << ": warning: " << warning << "\n";
   }
 }
 
@@ -127,7 +130,7 @@ ReaderGuard::ReaderGuard(const std::string& failed)
 {
 #ifdef RENDERMESH_POSIX
   std::cerr.flush();
-  CrashLine = "RenderMesh: error: " + failed + ": it is damaged, and the reader crashed\n";
+  CrashLine = Program + ": error: " + failed + ": it is damaged, and the reader crashed\n";
   TrueStderr = dup(STDERR_FILENO);
   this->Printed = std::tmpfile();
   if (this->Printed)

@@ -21,8 +21,9 @@ struct Failure : std::runtime_error
   using std::runtime_error::runtime_error;
 };
 
-/// From here on VTK's errors and warnings are kept for CheckMessages instead of printed.
-void CollectMessages();
+/// From here on VTK's errors and warnings are kept for CheckMessages instead of printed. The
+/// program's name begins each line.
+void CollectMessages(const std::string& program);
 
 /// Fails with VTK's first error since the last call, if there was one, as "what: error". A warning
 /// that speaks of an error counts as one. Otherwise prints VTK's warnings since then.
