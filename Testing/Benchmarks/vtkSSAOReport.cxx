@@ -36,16 +36,16 @@ const char* const Help =
   "Measures ambient occlusion methods on scenes: error against ray-traced truth, cost above plain\n"
   "rendering. Writes report.csv, report.json and PNG plots and sheets.\n"
   "\n"
-  "  quick             few scenes and methods, 400x300 pixels: under three minutes\n"
+  "  quick             one view of four scenes, fewer methods: under three minutes\n"
   "  --output DIR      where the files go (default: report)\n"
   "  --data DIR        the project's data directory\n"
   "  --cache DIR       where ray-traced images are kept (default: OUTPUT/truth)\n"
   "  --scenes A,B      only these scenes (--list names them)\n"
   "  --methods A,B     only methods whose name contains one of these; VTK's own are always there\n"
   "  --views N         views per scene, 1 or 2 (default: 2, quick: 1)\n"
-  "  --size WxH        pixels, 16 to 4096 each way (default: 800x600, quick: 400x300)\n"
+  "  --size WxH        pixels, 16 to 4096 each way (default: 400x300)\n"
   "  --rays N          rays per pixel of the truth, 8 to 65536 (default: 256, quick: 64)\n"
-  "  --rounds N        frames timed per method, 1 to 1000 (default: 5, quick: 3)\n"
+  "  --rounds N        pairs of frames timed per method, 1 to 1000 (default: 3)\n"
   "  --commit TEXT     what is measured, for the report's facts\n"
   "  --fresh           measure everything again; without it an interrupted report is resumed\n"
   "  --list            list scenes and methods and stop\n"
@@ -108,10 +108,7 @@ bool Parse(int argc, char* argv[], Options& options, std::string& error)
   {
     words.erase(words.begin());
     options.Quick = true;
-    options.View.Width = 400;
-    options.View.Height = 300;
     options.View.RaysPerPixel = 64;
-    options.View.Rounds = 3;
     options.Views = 1;
     options.Scenes = { "long_wall", "sphere_pack", "living_room", "brain" };
   }
@@ -209,8 +206,7 @@ std::vector<vtkSSAOReportMethod> ChooseMethods(const Options& options)
   {
     return !method.IsVTK && !options.Methods.empty() &&
       std::none_of(options.Methods.begin(), options.Methods.end(),
-        [&method](const std::string& part)
-        { return method.Name.find(part) != std::string::npos; });
+        [&method](const std::string& part) { return method.Name.find(part) != std::string::npos; });
   };
   methods.erase(std::remove_if(methods.begin(), methods.end(), unwanted), methods.end());
   return methods;
@@ -287,6 +283,8 @@ void PrintMeans(const std::vector<vtkSSAOReportRow>& means)
       row.RootMeanSquare, row.Bias, row.Percentile99, row.RatioToVTK32, row.RatioToVTK64,
       row.RatioToVTK256);
   }
+  std::printf("\nCost: frame with the pass minus plain frame, median, as a ratio to VTK's pass.\n"
+              "arithmetic_error and twin_error in the CSV are of raw V, before any denoiser.\n");
 }
 
 //------------------------------------------------------------------------------
@@ -295,7 +293,8 @@ bool WriteSummary(const vtkSSAOReportTable& table, const Options& options)
 {
   const std::vector<vtkSSAOReportRow> means = table.GetMeans();
   bool written = table.WriteJSON(options.Output + "/report.json", Facts(options)) &&
-    vtkSSAOWriteErrorAgainstCost(means, "Mean over all scenes", options.Output + "/error_cost.png") &&
+    vtkSSAOWriteErrorAgainstCost(
+      means, "Mean over all scenes", options.Output + "/error_cost.png") &&
     vtkSSAOWriteErrorAgainstSamples(
       means, "Mean over all scenes", options.Output + "/error_samples.png");
   for (const std::string& scene : options.Scenes)

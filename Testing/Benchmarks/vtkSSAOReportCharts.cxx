@@ -463,7 +463,7 @@ public:
   {
     static const double directions[][2] = { { 1, 0 }, { 1, 1 }, { 1, -1 }, { -1, 0 }, { -1, 1 },
       { -1, -1 }, { 0, 1 }, { 0, -1 } };
-    for (double factor : { 1.0, 1.3 })
+    for (double factor : { 1.0, 1.3, 2.6, 3.9 })
     {
       for (const double* direction : directions)
       {
@@ -473,12 +473,16 @@ public:
         if (area.Contains(box) && this->IsFree(box))
         {
           this->Boxes.push_back(box);
+          this->IsFar = factor > 2.0;
           return true;
         }
       }
     }
     return false;
   }
+
+  /// Whether the last label is so far from its point that a line has to connect them.
+  bool IsLastFar() const { return this->IsFar; }
 
 private:
   bool IsFree(const Rectangle& box) const
@@ -505,6 +509,7 @@ private:
 
   std::vector<Rectangle> Boxes;
   std::vector<std::vector<std::array<double, 2>>> Lines;
+  bool IsFar = false;
 };
 
 //------------------------------------------------------------------------------
@@ -575,6 +580,22 @@ void DrawLabels(vtkContext2D* painter, vtkChartXY* target, const Chart& chart)
       painter->GetTextProp()->SetColor(
         point.LabelColor[0] / 255.0, point.LabelColor[1] / 255.0, point.LabelColor[2] / 255.0);
       DrawText(painter, box.X + 0.5 * box.Width, box.Y + 0.5 * box.Height, point.Label);
+      if (placer.IsLastFar())
+      {
+        // From the nearest point of the label, its margin included, to the marker's edge.
+        const std::array<double, 2> place = placeOf(point);
+        const std::array<double, 2> start = { std::clamp(place[0], box.X, box.X + box.Width),
+          std::clamp(place[1], box.Y, box.Y + box.Height) };
+        const double share =
+          (distance - 3.0) / std::hypot(start[0] - place[0], start[1] - place[1]);
+        const std::array<double, 2> end = { place[0] + share * (start[0] - place[0]),
+          place[1] + share * (start[1] - place[1]) };
+        placer.AddLine({ start, end });
+        painter->GetPen()->SetLineType(vtkPen::SOLID_LINE);
+        painter->GetPen()->SetColor(point.LabelColor[0], point.LabelColor[1], point.LabelColor[2]);
+        painter->GetPen()->SetWidth(1.0f * Scale);
+        DrawLine(painter, start[0], start[1], end[0], end[1]);
+      }
     }
   }
 }

@@ -22,24 +22,25 @@ struct vtkSSAOReportPanel
 };
 
 /**
- * RMSE (y) against the ratio of cost to VTK's pass with 256 samples (x, logarithmic): one series per
- * family, members joined in the order of their cost, the Pareto front over all rows marked. rows are
- * those of one view, or means. False if the file cannot be written.
+ * RMSE (y) against the ratio of cost to VTK's pass with 256 samples (x, logarithmic): one series
+ * per family, members joined in the order of their cost, the Pareto front over all rows marked.
+ * rows are those of one view, or means. False if the file cannot be written.
  */
-bool vtkSSAOWriteErrorAgainstCost(const std::vector<vtkSSAOReportRow>& rows,
-  const std::string& title, const std::string& fileName);
+bool vtkSSAOWriteErrorAgainstCost(
+  const std::vector<vtkSSAOReportRow>& rows, const std::string& title, const std::string& fileName);
 
 /**
- * RMSE (y) against samples per pixel (x, logarithmic), one line per family with more than one member.
+ * RMSE (y) against samples per pixel (x, logarithmic), one line per family with more than one
+ * member.
  */
-bool vtkSSAOWriteErrorAgainstSamples(const std::vector<vtkSSAOReportRow>& rows,
-  const std::string& title, const std::string& fileName);
+bool vtkSSAOWriteErrorAgainstSamples(
+  const std::vector<vtkSSAOReportRow>& rows, const std::string& title, const std::string& fileName);
 
 /**
  * A sheet of one view: the truth and the panels as grey pictures in the upper row, below each panel
- * its signed error V - truth in a diverging colour map (blue: too dark, red: too light, white: right;
- * grey where mask is 0) with the scale beside it, and RMSE and bias under each. Pictures have
- * width x height pixels.
+ * its signed error V - truth in a diverging colour map (blue: too dark, red: too light, white:
+ * right; grey where mask is 0) with the scale beside it, and RMSE and bias under each. Pictures
+ * have width x height pixels.
  */
 bool vtkSSAOWriteSheet(const std::string& title, int width, int height,
   const std::vector<float>& truth, const std::vector<unsigned char>& mask,

@@ -36,16 +36,22 @@ struct vtkSSAOReportRow
   double TruthStandardError = 0.0; ///< root mean square of the truth's own standard error
 
   double PlainTime = 0.0;     ///< whole frame without a pass
-  double Cost = 0.0;          ///< median of paired frames: with the pass minus without
+  double Cost = 0.0;          ///< median over rounds: frame with the pass minus plain frame
   double CostSpread = 0.0;    ///< half the distance of the quartiles of these differences
   double RatioToVTK32 = 0.0;  ///< Cost / cost of VTK's pass with 32 samples in the same view
   double RatioToVTK64 = 0.0;  ///< the same with 64
   double RatioToVTK256 = 0.0; ///< the same with 256
-  std::array<double, 4> StageTimes{}; ///< capture, occlusion, denoise, modulate
+  std::array<double, 5> StageTimes{}; ///< capture, layers, occlusion, denoise, modulate
   double TextureBytes = 0.0;
 
-  double ArithmeticError = 0.0; ///< root mean square of raw V in float32 minus its fp64 twin
-  double TwinError = 0.0;       ///< root mean square of the fp64 twin minus the truth
+  ///@{
+  /**
+   * Root mean square of raw V, before any denoiser, in float32 minus its fp64 twin; and of the twin
+   * minus the truth. Methods that differ by their denoiser only have the same two numbers.
+   */
+  double ArithmeticError = 0.0;
+  double TwinError = 0.0;
+  ///@}
 };
 
 class vtkSSAOReportTable

@@ -4,7 +4,8 @@
  * @brief   One view of one scene: its truth, and what each method gives and costs there.
  *
  * All methods draw into the same window, and their frames are interleaved, so that what else the
- * machine does falls on all of them alike.
+ * machine does falls on all of them alike. In each round every method draws one timed frame, which
+ * is paired with a plain frame drawn shortly before.
  */
 
 #ifndef vtkSSAOReportView_h
@@ -29,10 +30,10 @@ class vtkSSAOReportView
 public:
   struct Settings
   {
-    int Width = 800;
-    int Height = 600;
+    int Width = 400;
+    int Height = 300;
     int RaysPerPixel = 256;
-    int Rounds = 5; ///< frames timed per method
+    int Rounds = 3; ///< pairs of frames timed per method
     std::string DataDirectory;
     std::string CacheDirectory;
   };
@@ -51,8 +52,8 @@ public:
    * Measure all methods: one row for each. False, with the reason in error, if a picture could not
    * be made.
    */
-  bool Measure(const std::vector<vtkSSAOReportMethod>& methods,
-    std::vector<vtkSSAOReportRow>& rows, std::string& error);
+  bool Measure(const std::vector<vtkSSAOReportMethod>& methods, std::vector<vtkSSAOReportRow>& rows,
+    std::string& error);
 
   const vtkSSAOTruthImage& GetTruth() const { return this->Truth; }
 
@@ -66,7 +67,8 @@ private:
 
   double TimeFrame();
   void MeasureCosts(std::vector<Trial>& trials);
-  bool MeasureOurs(Trial& trial, std::string& error);
+  bool MeasureOurs(std::vector<Trial>& trials, std::string& error);
+  void MeasureArithmetic(Trial& trial, const vtkSSAOTwin& twin, const std::vector<float>& raw);
   bool MeasureVTK(Trial& trial);
   void ShowVisibilityAsColor();
   void FillErrors(const Trial& trial, vtkSSAOReportRow& row) const;

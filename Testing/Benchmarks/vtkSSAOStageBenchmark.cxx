@@ -92,8 +92,8 @@ void MeasureStage(benchmark::State& state, int stage, double fetches)
   const double pixels = static_cast<double>(state.range(0) * state.range(1));
   state.counters["pixels"] = pixels;
   state.counters["fetches/px"] = fetches;
-  state.counters["ns/px"] = benchmark::Counter(pixels * 1.0e-9,
-    benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  state.counters["ns/px"] = benchmark::Counter(
+    pixels * 1.0e-9, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
 //------------------------------------------------------------------------------
@@ -193,8 +193,8 @@ void CopyFloor(benchmark::State& state)
   const double pixels = static_cast<double>(width) * height;
   state.counters["pixels"] = pixels;
   state.counters["fetches/px"] = 1.0;
-  state.counters["ns/px"] = benchmark::Counter(pixels * 1.0e-9,
-    benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  state.counters["ns/px"] = benchmark::Counter(
+    pixels * 1.0e-9, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
   from->Deactivate();
   framebuffer->RemoveColorAttachment(0);
   gl->PopFramebufferBindings();

@@ -16,7 +16,9 @@
 #include <glm/vec3.hpp>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <thread>
 
 namespace twin
 {
@@ -122,19 +124,34 @@ struct HorizonAngle : OcclusionShader
 template <typename Estimator>
 std::vector<double> Draw(const OcclusionShader& uniforms, int width, int height, const vec2& shift)
 {
-  Estimator shader;
-  static_cast<OcclusionShader&>(shader) = uniforms;
-  std::vector<double> visibility;
-  visibility.reserve(static_cast<std::size_t>(width) * height);
-  for (int y = 0; y < height; ++y)
+  std::vector<double> visibility(static_cast<std::size_t>(width) * height);
+  // Threads take rows as they get free; a pixel depends on nothing but the captured geometry.
+  std::atomic<int> nextRow(0);
+  const auto work = [&]()
   {
-    for (int x = 0; x < width; ++x)
+    Estimator shader;
+    static_cast<OcclusionShader&>(shader) = uniforms;
+    for (int y = nextRow++; y < height; y = nextRow++)
     {
-      const vec2 pixel(x + 0.5, y + 0.5);
-      const glm::vec4& center = (*uniforms.geometry)[visibility.size()];
-      visibility.push_back(
-        center.x > 0.0F ? shader.ssaoVisibility(pixel + shift, vec4(center)) : 1.0);
+      for (int x = 0; x < width; ++x)
+      {
+        const vec2 pixel(x + 0.5, y + 0.5);
+        const std::size_t index = static_cast<std::size_t>(y) * width + x;
+        const glm::vec4& center = (*uniforms.geometry)[index];
+        visibility[index] =
+          center.x > 0.0F ? shader.ssaoVisibility(pixel + shift, vec4(center)) : 1.0;
+      }
     }
+  };
+  std::vector<std::thread> others;
+  for (unsigned int i = 1; i < std::thread::hardware_concurrency(); ++i)
+  {
+    others.emplace_back(work);
+  }
+  work();
+  for (std::thread& other : others)
+  {
+    other.join();
   }
   return visibility;
 }

@@ -46,7 +46,7 @@ public:
 
   /**
    * Raw visibility, before denoising, of every pixel, row by row from the bottom left. Empty for an
-   * estimator that has no twin.
+   * estimator that has no twin. All processors take part.
    */
   std::vector<double> Visibility(const vtkSSAOOcclusionSettings& settings,
     const vtkSSAODisturbance& disturbance = vtkSSAODisturbance()) const;
