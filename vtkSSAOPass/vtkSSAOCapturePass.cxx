@@ -7,6 +7,7 @@
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkMapper.h"
+#include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLFramebufferObject.h"
@@ -14,6 +15,7 @@
 #include "vtkOpenGLState.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkProp3D.h"
 #include "vtkPropCollection.h"
 #include "vtkProperty.h"
 #include "vtkRenderState.h"
@@ -23,8 +25,10 @@
 #include "vtkSSAOPass0Functions.h"
 #include "vtkSSAOPass1CaptureDeclarationsFS.h"
 #include "vtkSSAOPass1CaptureFacetFS.h"
+#include "vtkSSAOPass1CaptureLayerFS.h"
 #include "vtkSSAOPass1CaptureLightFS.h"
 #include "vtkSSAOPass1CaptureOutputFS.h"
+#include "vtkSSAOPass1LayerOutputFS.h"
 #include "vtkSSAOView.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
@@ -35,6 +39,7 @@ vtkStandardNewMacro(vtkSSAOCapturePass);
 
 namespace
 {
+constexpr const char* LayerTag = "//SSAO::Capture::Layer";
 constexpr const char* LightTag = "//SSAO::Capture::Light";
 constexpr const char* OutputTag = "//SSAO::Capture::Output";
 
@@ -155,7 +160,7 @@ bool vtkSSAOCapturePass::Capture(const vtkRenderState* s, const vtkSSAOView& vie
 {
   this->NumberOfRenderedProps = 0;
   this->Remainder.clear();
-  std::vector<vtkProp*> props;
+  this->Captured.clear();
   bool mayExceed = false;
   const double light = TotalLight(view.Renderer);
   for (int i = 0; i < s->GetPropArrayCount(); ++i)
@@ -163,7 +168,7 @@ bool vtkSSAOCapturePass::Capture(const vtkRenderState* s, const vtkSSAOView& vie
     vtkProp* prop = s->GetPropArray()[i];
     if (CanBeCaptured(prop))
     {
-      props.push_back(prop);
+      this->Captured.push_back(prop);
       mayExceed = mayExceed ||
         !VisitActors(prop, [light](vtkActor* actor) { return !MayExceedPicture(actor, light); });
     }
@@ -183,14 +188,44 @@ bool vtkSSAOCapturePass::Capture(const vtkRenderState* s, const vtkSSAOView& vie
   const bool attached = this->Attach(view, this->Outputs);
   if (attached)
   {
-    vtkRenderState hooked(s->GetRenderer());
-    hooked.SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));
-    this->PreRender(&hooked);
-    this->RenderProps(s, props);
-    this->PostRender(&hooked);
+    this->RenderHooked(s, false);
   }
   this->Detach(view, this->Outputs);
   return attached;
+}
+
+//------------------------------------------------------------------------------
+void vtkSSAOCapturePass::DrawLayers(const vtkRenderState* s, const vtkSSAOView& view,
+  vtkTextureObject* before, bool first, double sheet, double reach)
+{
+  this->LayersBefore = before;
+  this->FirstRound = first;
+  this->TexelSize = 1.0F / glm::vec2(view.TextureSize);
+  this->Sheet = static_cast<float>(sheet);
+  this->Reach = static_cast<float>(reach);
+  const int rendered = this->NumberOfRenderedProps;
+  before->Activate();
+  this->RenderHooked(s, true);
+  before->Deactivate();
+  this->NumberOfRenderedProps = rendered;
+  this->LayersBefore = nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkSSAOCapturePass::RenderHooked(const vtkRenderState* s, bool layers)
+{
+  if (layers != this->Layers)
+  {
+    // Two shaders for each mapper, both cached by VTK: one with a switch would shade the layers too
+    // on a rasteriser that runs both sides of a branch.
+    this->Layers = layers;
+    this->ShadersChanged.Modified();
+  }
+  vtkRenderState hooked(s->GetRenderer());
+  hooked.SetPropArrayAndCount(this->Captured.data(), static_cast<int>(this->Captured.size()));
+  this->PreRender(&hooked);
+  this->RenderProps(s, this->Captured);
+  this->PostRender(&hooked);
 }
 
 //------------------------------------------------------------------------------
@@ -278,7 +313,7 @@ bool vtkSSAOCapturePass::PreReplaceShaderValues(std::string& /*vertexShader*/,
 {
   // The tags of VTK are kept and met once only, so that other passes find them too.
   vtkShaderProgram::Substitute(fragmentShader, "//VTK::Light::Impl",
-    std::string("//VTK::Light::Impl\n  ") + LightTag + "\n", false);
+    std::string(LayerTag) + "\n  //VTK::Light::Impl\n  " + LightTag + "\n", false);
   vtkShaderProgram::Substitute(fragmentShader, "//VTK::Picking::Impl",
     std::string(OutputTag) + "\n  //VTK::Picking::Impl", false);
   return true;
@@ -306,10 +341,12 @@ bool vtkSSAOCapturePass::PostReplaceShaderValues(std::string& /*vertexShader*/,
       (Contains(fragmentShader, "vec3 diffuse =") && Contains(fragmentShader, "ambientColor")));
 
   std::string declarations;
+  declarations += this->Layers ? "#define SSAO_LAYERS\n" : "";
   declarations += lit ? "#define SSAO_LIT\n" : "";
   declarations += lit && pbr ? "#define SSAO_PBR\n" : "";
   declarations += sprite ? "#define SSAO_SPRITE\n" : "";
   declarations += impostor ? "#define SSAO_IMPOSTOR\n" : "";
+  declarations += Contains(fragmentShader, "lengthVCVSOutput") ? "#define SSAO_STICK\n" : "";
   // Edges are mixed into the ambient colour unlit, or as tubes into all colours.
   declarations += Contains(fragmentShader, "mix( ambientColor, edgeColor, emix)") && !pbr
     ? "#define SSAO_EDGES vec3(edgeColor * emix)\n"
@@ -319,7 +356,7 @@ bool vtkSSAOCapturePass::PostReplaceShaderValues(std::string& /*vertexShader*/,
   declarations += vtkSSAOPass0Functions;
   vtkShaderProgram::Substitute(
     fragmentShader, "void main()", declarations + "\nvoid main()", false);
-  if (lit && !impostor)
+  if (lit && !impostor && !this->Layers)
   {
     vtkShaderProgram::Substitute(fragmentShader, "//VTK::UniformFlow::Impl",
       std::string(vtkSSAOPass1CaptureFacetFS) + "  //VTK::UniformFlow::Impl", false);
@@ -338,16 +375,29 @@ bool vtkSSAOCapturePass::PostReplaceShaderValues(std::string& /*vertexShader*/,
     vtkShaderProgram::Substitute(fragmentShader, "  color += Lo;\n",
       "  vec3 ssaoImageBased = color;\n  color += Lo;\n", false);
   }
+  vtkShaderProgram::Substitute(fragmentShader, LayerTag, vtkSSAOPass1CaptureLayerFS, false);
   vtkShaderProgram::Substitute(fragmentShader, LightTag, vtkSSAOPass1CaptureLightFS, false);
-  vtkShaderProgram::Substitute(fragmentShader, OutputTag, vtkSSAOPass1CaptureOutputFS, false);
+  vtkShaderProgram::Substitute(fragmentShader, OutputTag,
+    this->Layers ? vtkSSAOPass1LayerOutputFS : vtkSSAOPass1CaptureOutputFS, false);
   return true;
 }
 
 //------------------------------------------------------------------------------
 bool vtkSSAOCapturePass::SetShaderParameters(vtkShaderProgram* program,
-  vtkAbstractMapper* /*mapper*/, vtkProp* /*prop*/, vtkOpenGLVertexArrayObject* /*VAO*/)
+  vtkAbstractMapper* /*mapper*/, vtkProp* prop, vtkOpenGLVertexArrayObject* /*VAO*/)
 {
   this->Surfaces = true;
+  vtkProp3D* actor = vtkProp3D::SafeDownCast(prop);
+  const bool mirrored = actor && actor->GetMatrix() && actor->GetMatrix()->Determinant() < 0.0;
+  program->SetUniformf("ssaoFrontSign", mirrored ? -1.0F : 1.0F);
+  if (this->LayersBefore)
+  {
+    program->SetUniformi("ssaoLayersBefore", this->LayersBefore->GetTextureUnit());
+    program->SetUniformf("ssaoFirstRound", this->FirstRound ? 1.0F : 0.0F);
+    program->SetUniform2f("ssaoTexelSize", &this->TexelSize[0]);
+    program->SetUniformf("ssaoSheet", this->Sheet);
+    program->SetUniformf("ssaoReach", this->Reach);
+  }
   program->SetUniform3f("ssaoOccludableWeights", &this->Weights[0]);
   program->SetUniform4f("ssaoDepthOfWindowRows", &this->DepthOfWindow[0]);
   program->SetUniformf("ssaoPerspective", this->Perspective);

@@ -24,7 +24,9 @@
 
 #include "vtkOpenGLRenderPass.h"
 #include "vtkSmartPointer.h" // For members
+#include "vtkTimeStamp.h"    // For members
 
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
@@ -56,6 +58,17 @@ public:
    * attached: then nothing was drawn.
    */
   bool Capture(const vtkRenderState* s, const vtkSSAOView& view);
+
+  /**
+   * Draw the captured props again into the framebuffer that is bound, as four numbers for each
+   * fragment: -depth, and depth again if it is within reach of the first surface or -depth if not,
+   * if it shows its front, and the same if it shows its back, -1e30 each otherwise. Only what lies
+   * behind the first surface counts, or, if before is what such a drawing left, between its nearest
+   * and farthest. before: the captured geometry, one sample per pixel, or the layers; sheet:
+   * thickness of sprites, reach: how far behind the first surface layers matter, in world units.
+   */
+  void DrawLayers(const vtkRenderState* s, const vtkSSAOView& view, vtkTextureObject* before,
+    bool first, double sheet, double reach);
 
   /**
    * Draw what Capture left over, without capturing.
@@ -93,6 +106,8 @@ public:
   bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
     vtkOpenGLVertexArrayObject* VAO = nullptr) override;
 
+  vtkMTimeType GetShaderStageMTime() override { return this->ShadersChanged.GetMTime(); }
+
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
 protected:
@@ -105,6 +120,7 @@ private:
 
   bool Attach(const vtkSSAOView& view, unsigned int outputs);
   void Detach(const vtkSSAOView& view, unsigned int outputs);
+  void RenderHooked(const vtkRenderState* s, bool layers);
   void RenderProps(const vtkRenderState* s, std::vector<vtkProp*>& props);
 
   vtkRenderPass* OpaquePass = nullptr;
@@ -112,8 +128,16 @@ private:
   glm::vec4 DepthOfWindow = glm::vec4(0.0F);
   float Perspective = 1.0F;
   bool Surfaces = false;
+  bool Layers = false; // whether the shaders draw layers instead of the picture
   unsigned int Outputs = 1;
+  std::vector<vtkProp*> Captured;
   std::vector<vtkProp*> Remainder;
+  vtkTextureObject* LayersBefore = nullptr; // set while layers are drawn
+  bool FirstRound = true;
+  glm::vec2 TexelSize = glm::vec2(1.0F);
+  float Sheet = 0.0F;
+  float Reach = 0.0F;
+  vtkTimeStamp ShadersChanged;
   vtkSmartPointer<vtkTextureObject> Geometry;
   vtkSmartPointer<vtkTextureObject> Occludable;
   vtkSmartPointer<vtkTextureObject> Lit;

@@ -5,6 +5,7 @@
 #include "vtkSSAOPass3BoxCenteredFS.h"
 #include "vtkSSAOPass3BoxFS.h"
 #include "vtkSSAOPass3EdgeAwareFS.h"
+#include "vtkSSAOPass3InterpolateFS.h"
 #include "vtkSSAOPass3SeparableGaussianFS.h"
 #include "vtkSSAOPassViewFS.h"
 #include "vtkSSAOView.h"
@@ -25,8 +26,6 @@ const char* DenoiserSource(int denoiser)
       return vtkSSAOPass3BoxFS;
     case Pass::BoxCentered:
       return vtkSSAOPass3BoxCenteredFS;
-    case Pass::SeparableGaussian:
-      return vtkSSAOPass3SeparableGaussianFS;
     default:
       return vtkSSAOPass3EdgeAwareFS;
   }
@@ -37,17 +36,17 @@ const char* DenoiserSource(int denoiser)
 void vtkSSAODenoiseStage::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->vtkSSAOFullScreenStage::ReleaseGraphicsResources(window);
-  if (this->Across)
+  if (this->Between)
   {
-    this->Across->ReleaseGraphicsResources(window);
-    this->Across = nullptr;
+    this->Between->ReleaseGraphicsResources(window);
+    this->Between = nullptr;
   }
 }
 
 //------------------------------------------------------------------------------
 unsigned long vtkSSAODenoiseStage::GetTextureMemory() const
 {
-  return this->vtkSSAOFullScreenStage::GetTextureMemory() + GetBytes(this->Across);
+  return this->vtkSSAOFullScreenStage::GetTextureMemory() + GetBytes(this->Between);
 }
 
 //------------------------------------------------------------------------------
@@ -56,20 +55,38 @@ bool vtkSSAODenoiseStage::Render(const vtkSSAOView& view, const vtkSSAODenoiseSe
 {
   if (settings.Denoiser == Pass::SeparableGaussian)
   {
-    return this->RenderAlong(view, settings, true, geometry, visibility, &this->Across) &&
-      this->RenderAlong(view, settings, false, geometry, this->Across, nullptr);
+    return this->DrawStep(view, settings, vtkSSAOPass3SeparableGaussianFS, true, geometry,
+             visibility, &this->Between) &&
+      this->DrawStep(
+        view, settings, vtkSSAOPass3SeparableGaussianFS, false, geometry, this->Between, nullptr);
   }
-  this->Across = nullptr;
-  return this->RenderAlong(view, settings, true, geometry, visibility, nullptr);
+  if (settings.Downsampling > 1)
+  {
+    vtkTextureObject* coarse = visibility;
+    if (settings.NoiseSize > 1)
+    {
+      if (!this->DrawStep(
+            view, settings, vtkSSAOPass3EdgeAwareFS, true, geometry, visibility, &this->Between))
+      {
+        return false;
+      }
+      coarse = this->Between;
+    }
+    return this->DrawStep(
+      view, settings, vtkSSAOPass3InterpolateFS, true, geometry, coarse, nullptr);
+  }
+  this->Between = nullptr;
+  return this->DrawStep(
+    view, settings, DenoiserSource(settings.Denoiser), true, geometry, visibility, nullptr);
 }
 
 //------------------------------------------------------------------------------
 // One step. Without a target the result is the stage's output.
-bool vtkSSAODenoiseStage::RenderAlong(const vtkSSAOView& view,
-  const vtkSSAODenoiseSettings& settings, bool across, vtkTextureObject* geometry,
-  vtkTextureObject* visibility, vtkSmartPointer<vtkTextureObject>* target)
+bool vtkSSAODenoiseStage::DrawStep(const vtkSSAOView& view, const vtkSSAODenoiseSettings& settings,
+  const char* shader, bool across, vtkTextureObject* geometry, vtkTextureObject* visibility,
+  vtkSmartPointer<vtkTextureObject>* target)
 {
-  std::string source = DenoiserSource(settings.Denoiser);
+  std::string source = shader;
   vtkShaderProgram::Substitute(source, "//SSAO::Functions", vtkSSAOPass0Functions);
   vtkShaderProgram::Substitute(source, "//SSAO::View", vtkSSAOPassViewFS);
   vtkShaderProgram* program = this->UseProgram(view.Window, source);
@@ -83,10 +100,21 @@ bool vtkSSAODenoiseStage::RenderAlong(const vtkSSAOView& view,
   program->SetUniformi("geometry", geometry->GetTextureUnit());
   program->SetUniformi("visibility", visibility->GetTextureUnit());
   program->SetUniformi("noiseSize", settings.NoiseSize);
+  program->SetUniformf("downsampling", static_cast<float>(settings.Downsampling));
+  const float coarseTexelSize[2] = { 1.0F / visibility->GetWidth(),
+    1.0F / visibility->GetHeight() };
+  program->SetUniform2f("coarseTexelSize", coarseTexelSize);
   const float axis[2] = { across ? 1.0F : 0.0F, across ? 0.0F : 1.0F };
   program->SetUniform2f("axis", axis);
   program->SetUniformf("largestStep", static_cast<float>(0.5 * settings.Radius));
-  const bool drawn = target ? this->DrawToTexture(view, 1, *target) : this->DrawToOutput(view, 1);
+  // A target in between has one pixel for each that was estimated.
+  vtkSSAOView stepView(view);
+  if (target && settings.Downsampling > 1)
+  {
+    stepView = view.Coarse(settings.Downsampling);
+  }
+  const bool drawn =
+    target ? this->DrawToTexture(stepView, 2, *target) : this->DrawToOutput(stepView, 1);
   visibility->Deactivate();
   geometry->Deactivate();
   return drawn;

@@ -11,9 +11,10 @@
 
 struct vtkSSAODenoiseSettings
 {
-  int Denoiser = 0;    ///< DenoiserType of the public class, not None
-  int NoiseSize = 4;   ///< edge of the noise tile, which the mean spans, in pixels
-  double Radius = 1.0; ///< of the estimator, in world units
+  int Denoiser = 0;     ///< DenoiserType of the public class, not None
+  int NoiseSize = 4;    ///< edge of the noise tile, which the mean spans, in estimated pixels
+  int Downsampling = 1; ///< edge in pixels of the squares of which one pixel was estimated
+  double Radius = 1.0;  ///< of the estimator, in world units
 };
 
 class vtkSSAODenoiseStage : public vtkSSAOFullScreenStage
@@ -29,11 +30,11 @@ public:
   unsigned long GetTextureMemory() const override;
 
 private:
-  bool RenderAlong(const vtkSSAOView& view, const vtkSSAODenoiseSettings& settings, bool across,
-    vtkTextureObject* geometry, vtkTextureObject* visibility,
+  bool DrawStep(const vtkSSAOView& view, const vtkSSAODenoiseSettings& settings, const char* shader,
+    bool across, vtkTextureObject* geometry, vtkTextureObject* visibility,
     vtkSmartPointer<vtkTextureObject>* target);
 
-  vtkSmartPointer<vtkTextureObject> Across; // SeparableGaussian, after the first of its two steps
+  vtkSmartPointer<vtkTextureObject> Between; // after the first of two steps
 };
 
 #endif

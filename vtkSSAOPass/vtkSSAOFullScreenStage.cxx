@@ -51,8 +51,11 @@ vtkSmartPointer<vtkTextureObject> vtkSSAOFullScreenStage::NewTexture(
 {
   auto texture = vtkSmartPointer<vtkTextureObject>::New();
   texture->SetContext(window);
-  texture->SetFormat(components == 1 ? GL_RED : GL_RGBA);
-  texture->SetInternalFormat(components == 1 ? GL_R32F : GL_RGBA32F);
+  const unsigned int formats[] = { GL_RED, GL_RG, GL_RGBA };
+  const unsigned int internalFormats[] = { GL_R32F, GL_RG32F, GL_RGBA32F };
+  const int format = std::min(components, 3) - 1;
+  texture->SetFormat(formats[format]);
+  texture->SetInternalFormat(internalFormats[format]);
   texture->SetDataType(GL_FLOAT);
   texture->SetMinificationFilter(vtkTextureObject::Nearest);
   texture->SetMagnificationFilter(vtkTextureObject::Nearest);
@@ -115,19 +118,35 @@ bool vtkSSAOFullScreenStage::DrawToOutput(const vtkSSAOView& view, int component
 bool vtkSSAOFullScreenStage::DrawToTexture(
   const vtkSSAOView& view, int components, vtkSmartPointer<vtkTextureObject>& texture)
 {
+  return this->DrawToTextures(view, components, { &texture });
+}
+
+//------------------------------------------------------------------------------
+bool vtkSSAOFullScreenStage::DrawToTextures(const vtkSSAOView& view, int components,
+  const std::vector<vtkSmartPointer<vtkTextureObject>*>& textures)
+{
   const glm::ivec2 size = view.TextureSize;
-  if (!texture)
+  for (vtkSmartPointer<vtkTextureObject>* texture : textures)
   {
-    texture = NewTexture(view.Window, size.x, size.y, components, 0);
+    if (!*texture)
+    {
+      *texture = NewTexture(view.Window, size.x, size.y, components, 0);
+    }
+    (*texture)->Resize(size.x, size.y);
   }
-  texture->Resize(size.x, size.y);
 
   vtkOpenGLState* state = view.Window->GetState();
   state->PushFramebufferBindings();
   this->Framebuffer->SetContext(view.Window);
   this->Framebuffer->Bind();
-  this->Framebuffer->AddColorAttachment(0, texture);
-  this->Framebuffer->ActivateDrawBuffers(1);
+  const auto count = static_cast<unsigned int>(textures.size());
+  for (unsigned int i = 0; i < count; ++i)
+  {
+    this->Framebuffer->AddColorAttachment(i, *textures[i]);
+  }
+  // By way of none: VTK's cache does not notice that fewer buffers are asked for.
+  this->Framebuffer->DeactivateDrawBuffers();
+  this->Framebuffer->ActivateDrawBuffers(count);
   const char* description = nullptr;
   const bool complete =
     vtkOpenGLFramebufferObject::GetFrameBufferStatus(GL_FRAMEBUFFER, description) != 0;
@@ -137,7 +156,20 @@ bool vtkSSAOFullScreenStage::DrawToTexture(
     state->vtkglDisable(GL_BLEND);
     this->Draw(view);
   }
-  this->Framebuffer->RemoveColorAttachment(0);
+  for (unsigned int i = 0; i < count; ++i)
+  {
+    this->Framebuffer->RemoveColorAttachment(i);
+  }
   state->PopFramebufferBindings();
   return complete;
+}
+
+//------------------------------------------------------------------------------
+void vtkSSAOFullScreenStage::Release(vtkSmartPointer<vtkTextureObject>& texture, vtkWindow* window)
+{
+  if (texture)
+  {
+    texture->ReleaseGraphicsResources(window);
+    texture = nullptr;
+  }
 }

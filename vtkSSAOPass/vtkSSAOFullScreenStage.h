@@ -16,6 +16,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 class vtkOpenGLFramebufferObject;
 class vtkOpenGLQuadHelper;
@@ -56,7 +57,7 @@ public:
   static unsigned long GetBytes(vtkTextureObject* texture);
 
   /**
-   * A texture with the format's number of float components, 1 or 4 with 32 bits each, nearest
+   * A texture with the format's number of float components, 1, 2 or 4 with 32 bits each, nearest
    * filtered, not initialised. samples 0: one sample per pixel.
    */
   static vtkSmartPointer<vtkTextureObject> NewTexture(
@@ -85,6 +86,17 @@ protected:
    */
   bool DrawToTexture(
     const vtkSSAOView& view, int components, vtkSmartPointer<vtkTextureObject>& texture);
+
+  /**
+   * The same with several outputs, in the order of the shader's.
+   */
+  bool DrawToTextures(const vtkSSAOView& view, int components,
+    const std::vector<vtkSmartPointer<vtkTextureObject>*>& textures);
+
+  /**
+   * Release a texture's resources and forget it; it may be nullptr.
+   */
+  static void Release(vtkSmartPointer<vtkTextureObject>& texture, vtkWindow* window);
 
 private:
   std::map<std::string, std::unique_ptr<vtkOpenGLQuadHelper>> Quads; // by fragment shader

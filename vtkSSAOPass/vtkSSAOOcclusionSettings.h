@@ -10,7 +10,10 @@
 #include "vtkSSAOKernel.h"                      // For the sample points
 #include "vtkScreenSpaceAmbientOcclusionPass.h" // For the controls
 
+#include <glm/gtc/constants.hpp>
+
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 /**
@@ -32,6 +35,18 @@ struct vtkSSAOOcclusionSettings
   int Directions = 6;
   int Steps = 4;
   double AngleBias = 30.0;
+  int Downsampling = 1;
+  int Layers = 5;
+  double Sheet = 0.1;      ///< thickness of what has no known back, world units
+  bool SheetsOnly = false; ///< every surface is that thick
+
+  /**
+   * Whether the estimator asks for more than the first surface.
+   */
+  bool LooksBehind() const
+  {
+    return this->Estimator == vtkScreenSpaceAmbientOcclusionPass::LayeredBitmask;
+  }
 
   /**
    * The settings of a pass with its effective radius and effective bias.
@@ -53,8 +68,48 @@ struct vtkSSAOOcclusionSettings
     settings.Directions = pass->GetDirections();
     settings.Steps = pass->GetSteps();
     settings.AngleBias = pass->GetAngleBias();
+    settings.Layers = pass->GetLayers();
+    // The interpolation is the edge-aware denoiser's.
+    settings.Downsampling = pass->GetDenoiser() == vtkScreenSpaceAmbientOcclusionPass::EdgeAware
+      ? pass->GetDownsampling()
+      : 1;
+    settings.SheetsOnly = pass->GetThickness() > 0.0;
+    settings.Sheet = settings.SheetsOnly ? pass->GetThickness() : 0.1 * settings.Radius;
     return settings;
   }
+
+  /**
+   * Whether the estimator cuts the hemisphere into slices.
+   */
+  bool UsesSlices() const
+  {
+    return this->Estimator == vtkScreenSpaceAmbientOcclusionPass::ExactHorizon ||
+      this->Estimator == vtkScreenSpaceAmbientOcclusionPass::LayeredBitmask;
+  }
+
+  /**
+   * The random numbers of the pixels, see vtkSSAONoiseTile. For slices the angle is that of the
+   * first of them, which saves the shader its sines.
+   */
+  std::vector<glm::vec4> MakeNoise() const
+  {
+    std::vector<glm::vec4> tile = vtkSSAONoiseTile(this->NoiseSize);
+    for (glm::vec4& noise : tile)
+    {
+      if (this->UsesSlices())
+      {
+        const double angle = this->SliceAngle() * noise.x;
+        noise.z = static_cast<float>(std::cos(angle));
+        noise.w = static_cast<float>(std::sin(angle));
+      }
+    }
+    return tile;
+  }
+
+  /**
+   * Angle from one slice to the next, radians.
+   */
+  double SliceAngle() const { return glm::pi<double>() / this->Directions; }
 
   /**
    * The sample points of the estimator; any for one without.

@@ -2,13 +2,17 @@
 #include "vtkSSAOOcclusionStage.h"
 
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkSSAOLayerStage.h"
 #include "vtkSSAOOcclusionSettings.h"
 #include "vtkSSAOPass0Functions.h"
+#include "vtkSSAOPass0SliceFunctions.h"
 #include "vtkSSAOPass2CrytekSphere.h"
 #include "vtkSSAOPass2DepthSphere.h"
+#include "vtkSSAOPass2ExactHorizon.h"
 #include "vtkSSAOPass2Hemisphere.h"
 #include "vtkSSAOPass2HemisphereLinearDepth.h"
 #include "vtkSSAOPass2HorizonAngle.h"
+#include "vtkSSAOPass2LayeredBitmask.h"
 #include "vtkSSAOPass2OcclusionFS.h"
 #include "vtkSSAOPass2PositionSphere.h"
 #include "vtkSSAOPass2ReflectedHemisphere.h"
@@ -45,6 +49,10 @@ const char* EstimatorSource(int estimator)
       return vtkSSAOPass2ReflectedHemisphere;
     case Pass::HorizonAngle:
       return vtkSSAOPass2HorizonAngle;
+    case Pass::ExactHorizon:
+      return vtkSSAOPass2ExactHorizon;
+    case Pass::LayeredBitmask:
+      return vtkSSAOPass2LayeredBitmask;
     default:
       return vtkSSAOPass2Hemisphere;
   }
@@ -71,6 +79,7 @@ void SetUniforms(vtkShaderProgram* program, const vtkSSAOOcclusionSettings& sett
   program->SetUniformf("radius", static_cast<float>(settings.Radius));
   program->SetUniformf("bias", static_cast<float>(settings.Bias));
   program->SetUniformi("kernelSize", settings.KernelSize);
+  program->SetUniformf("downsampling", static_cast<float>(settings.Downsampling));
   program->SetUniformf("noiseSize", static_cast<float>(settings.NoiseSize));
   program->SetUniformi("rangeCheck", settings.RangeCheck ? 1 : 0);
   program->SetUniformi("halfRule", settings.HalfRule ? 1 : 0);
@@ -83,16 +92,10 @@ void SetUniforms(vtkShaderProgram* program, const vtkSSAOOcclusionSettings& sett
   const float angleBias[2] = { static_cast<float>(std::cos(angle)),
     static_cast<float>(std::sin(angle)) };
   program->SetUniform2f("angleBias", angleBias);
-}
-
-//------------------------------------------------------------------------------
-void Release(vtkSmartPointer<vtkTextureObject>& texture, vtkWindow* window)
-{
-  if (texture)
-  {
-    texture->ReleaseGraphicsResources(window);
-    texture = nullptr;
-  }
+  const float sliceTurn[2] = { static_cast<float>(std::cos(settings.SliceAngle())),
+    static_cast<float>(std::sin(settings.SliceAngle())) };
+  program->SetUniform2f("sliceTurn", sliceTurn);
+  program->SetUniformf("sheet", static_cast<float>(settings.Sheet));
 }
 }
 
@@ -121,23 +124,29 @@ void vtkSSAOOcclusionStage::UpdateSamples(
     this->Kernel = NewTable(view, settings.KernelSize, 1, settings.MakeKernel());
     this->KernelEstimator = settings.Estimator;
   }
-  if (!this->Noise || static_cast<int>(this->Noise->GetWidth()) != settings.NoiseSize)
+  const int slices = settings.UsesSlices() ? settings.Directions : 0;
+  if (!this->Noise || static_cast<int>(this->Noise->GetWidth()) != settings.NoiseSize ||
+    this->NoiseSlices != slices)
   {
-    this->Noise =
-      NewTable(view, settings.NoiseSize, settings.NoiseSize, vtkSSAONoiseTile(settings.NoiseSize));
+    this->Noise = NewTable(view, settings.NoiseSize, settings.NoiseSize, settings.MakeNoise());
+    this->NoiseSlices = slices;
   }
 }
 
 //------------------------------------------------------------------------------
-bool vtkSSAOOcclusionStage::Render(
-  const vtkSSAOView& view, const vtkSSAOOcclusionSettings& settings, vtkTextureObject* geometry)
+bool vtkSSAOOcclusionStage::Render(const vtkSSAOView& view,
+  const vtkSSAOOcclusionSettings& settings, vtkTextureObject* geometry,
+  const vtkSSAOLayerStage& layers)
 {
   this->UpdateSamples(view, settings);
 
   std::string source = vtkSSAOPass2OcclusionFS;
-  vtkShaderProgram::Substitute(source, "//SSAO::Functions", vtkSSAOPass0Functions);
+  vtkShaderProgram::Substitute(
+    source, "//SSAO::Functions", std::string(vtkSSAOPass0Functions) + vtkSSAOPass0SliceFunctions);
   vtkShaderProgram::Substitute(source, "//SSAO::View", vtkSSAOPassViewFS);
   vtkShaderProgram::Substitute(source, "//SSAO::Estimator", EstimatorSource(settings.Estimator));
+  vtkTextureObject* solids = layers.GetSolids();
+  vtkTextureObject* moreSolids = layers.GetMoreSolids();
   vtkShaderProgram* program = this->UseProgram(view.Window, source);
   if (!program)
   {
@@ -151,7 +160,29 @@ bool vtkSSAOOcclusionStage::Render(
   program->SetUniformi("kernelTexture", this->Kernel->GetTextureUnit());
   program->SetUniformi("noiseTexture", this->Noise->GetTextureUnit());
   SetUniforms(program, settings);
-  const bool drawn = this->DrawToOutput(view, 1);
+  if (settings.LooksBehind())
+  {
+    for (auto* texture : { solids, moreSolids })
+    {
+      if (texture)
+      {
+        texture->Activate();
+      }
+    }
+    program->SetUniformi("solids", solids->GetTextureUnit());
+    program->SetUniformi("moreSolids", (moreSolids ? moreSolids : solids)->GetTextureUnit());
+  }
+  const bool drawn = this->DrawToOutput(view.Coarse(settings.Downsampling), 2);
+  if (settings.LooksBehind())
+  {
+    for (auto* texture : { moreSolids, solids })
+    {
+      if (texture)
+      {
+        texture->Deactivate();
+      }
+    }
+  }
   this->Noise->Deactivate();
   this->Kernel->Deactivate();
   geometry->Deactivate();

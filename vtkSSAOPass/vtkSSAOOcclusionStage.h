@@ -9,17 +9,20 @@
 
 #include "vtkSSAOFullScreenStage.h"
 
+class vtkSSAOLayerStage;
 struct vtkSSAOOcclusionSettings;
 
 class vtkSSAOOcclusionStage : public vtkSSAOFullScreenStage
 {
 public:
   /**
-   * Draws V to the output texture (one component): 1 open, 0 closed, 1 where there is no surface.
-   * geometry has one sample per pixel. False on failure.
+   * Draws V and depth to the output texture (two components): 1 open, 0 closed, 1 and depth 0 where
+   * there is no surface.
+   * geometry has one sample per pixel; layers is drawn if the estimator looks behind it. False on
+   * failure.
    */
-  bool Render(
-    const vtkSSAOView& view, const vtkSSAOOcclusionSettings& settings, vtkTextureObject* geometry);
+  bool Render(const vtkSSAOView& view, const vtkSSAOOcclusionSettings& settings,
+    vtkTextureObject* geometry, const vtkSSAOLayerStage& layers);
 
   void ReleaseGraphicsResources(vtkWindow* window) override;
   unsigned long GetTextureMemory() const override;
@@ -30,6 +33,7 @@ private:
   vtkSmartPointer<vtkTextureObject> Kernel;
   int KernelEstimator = -1; // whose sample points they are
   vtkSmartPointer<vtkTextureObject> Noise;
+  int NoiseSlices = 0; // for how many slices its angles are, 0 for none
 };
 
 #endif

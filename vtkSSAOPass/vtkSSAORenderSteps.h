@@ -3,9 +3,9 @@
  * @class   vtkSSAORenderSteps
  * @brief   The steps of a renderer that has no pass, with one's own opaque step.
  *
- * Opaque props (the opaque step sets up the lights), translucent props (depth peeling or order-independent translucency, as the
- * renderer's flags say), FXAA, volumes, overlays: the order of vtkOpenGLRenderer::UpdateGeometry.
- * Used below a vtkCameraPass.
+ * Opaque props (the opaque step sets up the lights), translucent props (depth peeling or
+ * order-independent translucency, as the renderer's flags say), FXAA, volumes, overlays: the order
+ * of vtkOpenGLRenderer::UpdateGeometry. Used below a vtkCameraPass.
  */
 
 #ifndef vtkSSAORenderSteps_h

@@ -24,6 +24,7 @@ using namespace glm;
 namespace
 {
 #include "glsl/vtkSSAOPass0Functions.glsl"
+#include "glsl/vtkSSAOPass0SliceFunctions.glsl"
 }
 #if defined(__GNUC__)
 #pragma GCC diagnostic pop

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSSAOView.h"
 
-#include "vtkMatrix4x4.h"
 #include "vtkMatrix3x3.h"
+#include "vtkMatrix4x4.h"
 #include "vtkOpenGLCamera.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -106,6 +106,19 @@ vtkSSAOView::vtkSSAOView(const vtkRenderState* state)
     }
   }
   this->Projection = vtkSSAOProjection::FromMatrix(matrix, this->Viewport);
+}
+
+//------------------------------------------------------------------------------
+vtkSSAOView vtkSSAOView::Coarse(int edge) const
+{
+  vtkSSAOView coarse(*this);
+  if (edge > 1)
+  {
+    coarse.TextureSize = (this->TextureSize + edge - 1) / edge;
+    coarse.Viewport =
+      glm::ivec4(0, 0, (this->Viewport.z + edge - 1) / edge, (this->Viewport.w + edge - 1) / edge);
+  }
+  return coarse;
 }
 
 //------------------------------------------------------------------------------

@@ -40,6 +40,12 @@ public:
    */
   void SetUniforms(vtkShaderProgram* program) const;
 
+  /**
+   * The view of textures with one pixel for each square of this view's, from the textures' corner
+   * on; edge of the squares in pixels, 1 for this view itself.
+   */
+  vtkSSAOView Coarse(int edge) const;
+
   vtkRenderer* Renderer;
   vtkOpenGLRenderWindow* Window;
   vtkOpenGLFramebufferObject* Framebuffer; ///< draws the scene

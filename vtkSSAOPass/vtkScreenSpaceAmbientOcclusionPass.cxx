@@ -20,6 +20,7 @@
 #include "vtkSSAODelegateGraft.h"
 #include "vtkSSAODenoiseStage.h"
 #include "vtkSSAODisplayStage.h"
+#include "vtkSSAOLayerStage.h"
 #include "vtkSSAOModulateStage.h"
 #include "vtkSSAOOcclusionSettings.h"
 #include "vtkSSAOOcclusionStage.h"
@@ -76,8 +77,8 @@ public:
   void Render(const vtkRenderState* s) override
   {
     vtkRenderer* renderer = s->GetRenderer();
-    this->NumberOfRenderedProps = renderer->GetSelector()->Render(
-      renderer, s->GetPropArray(), s->GetPropArrayCount());
+    this->NumberOfRenderedProps =
+      renderer->GetSelector()->Render(renderer, s->GetPropArray(), s->GetPropArrayCount());
   }
 
 protected:
@@ -101,10 +102,9 @@ double DiagonalOfOpaqueProps(vtkRenderer* renderer)
   props->InitTraversal(it);
   while (vtkProp* prop = props->GetNextProp(it))
   {
-    const double* bounds = prop->GetVisibility() && prop->GetUseBounds() &&
-        prop->HasOpaqueGeometry()
-      ? prop->GetBounds()
-      : nullptr;
+    const double* bounds =
+      prop->GetVisibility() && prop->GetUseBounds() && prop->HasOpaqueGeometry() ? prop->GetBounds()
+                                                                                 : nullptr;
     bool finite = bounds && bounds[0] <= bounds[1];
     for (int i = 0; i < 6 && finite; ++i)
     {
@@ -119,8 +119,9 @@ double DiagonalOfOpaqueProps(vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
-// The part of a texture that lies in the viewport, row by row; empty without a texture.
-std::vector<float> Download(vtkTextureObject* texture, const glm::ivec4& viewport, int components)
+// The part of a texture that lies in the viewport, row by row, all components of a pixel together;
+// empty without a texture.
+std::vector<float> Download(vtkTextureObject* texture, const glm::ivec4& viewport)
 {
   std::vector<float> values;
   if (!texture)
@@ -128,6 +129,7 @@ std::vector<float> Download(vtkTextureObject* texture, const glm::ivec4& viewpor
     return values;
   }
   texture->GetContext()->MakeCurrent();
+  const int components = texture->GetComponents();
   const int width = static_cast<int>(texture->GetWidth());
   const int height = static_cast<int>(texture->GetHeight());
   std::vector<float> whole(std::size_t(width) * height * components);
@@ -150,8 +152,7 @@ std::vector<float> Download(vtkTextureObject* texture, const glm::ivec4& viewpor
 
 //------------------------------------------------------------------------------
 // Gives the image one float array of the viewport's size; returns where its pixels go.
-float* NewPixels(
-  vtkImageData* image, const glm::ivec4& viewport, int components, const char* name)
+float* NewPixels(vtkImageData* image, const glm::ivec4& viewport, int components, const char* name)
 {
   image->Initialize();
   image->SetDimensions(viewport.z, viewport.w, 1);
@@ -172,8 +173,8 @@ std::array<int, 2> NearestDirectionsAndSteps(int samples)
   {
     const int directions = std::max(1, static_cast<int>(std::lround(double(samples) / steps)));
     // A product that is off by one weighs more than any proportion.
-    const double cost = std::abs(directions * steps - samples) +
-      0.1 * std::abs(std::log(directions / (1.5 * steps)));
+    const double cost =
+      std::abs(directions * steps - samples) + 0.1 * std::abs(std::log(directions / (1.5 * steps)));
     if (cost < least)
     {
       least = cost;
@@ -187,6 +188,7 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr int LargestKernel = 1024;
 constexpr int LargestNoise = 64;
 constexpr int LargestDirections = 64;
+constexpr int LargestDownsampling = 4;
 }
 
 //------------------------------------------------------------------------------
@@ -203,6 +205,7 @@ public:
 
   vtkNew<vtkSSAOCapturePass> Capture;
   vtkSSAOResolveStage Resolve;
+  vtkSSAOLayerStage Layers;
   vtkSSAOOcclusionStage Occlusion;
   vtkSSAODenoiseStage Denoise;
   vtkSSAOModulateStage Modulate;
@@ -211,15 +214,18 @@ public:
   double EffectiveRadius = -1.0;
   vtkTextureObject* Geometry = nullptr;   ///< of this frame, one sample per pixel
   vtkTextureObject* Visibility = nullptr; ///< of this frame, denoised
+  vtkTextureObject* Solids = nullptr;     ///< of this frame, if the estimator needs them
+  vtkTextureObject* MoreSolids = nullptr; ///< of this frame, their second half
   glm::ivec4 Viewport = glm::ivec4(0);    ///< of this frame within these textures
   bool Warned = false;
   vtkWeakPointer<vtkWindow> Window; ///< whose context the textures and programs belong to
   std::array<double, NumberOfStages> Times{};
   std::chrono::steady_clock::time_point StageStart;
 
-  std::array<const vtkSSAOFullScreenStage*, 5> FullScreenStages() const
+  std::array<const vtkSSAOFullScreenStage*, 6> FullScreenStages() const
   {
-    return { &this->Resolve, &this->Occlusion, &this->Denoise, &this->Modulate, &this->Display };
+    return { &this->Resolve, &this->Layers, &this->Occlusion, &this->Denoise, &this->Modulate,
+      &this->Display };
   }
 
   void ReleaseGraphicsResources(vtkWindow* window)
@@ -229,12 +235,15 @@ public:
     this->Opaque->ReleaseGraphicsResources(window);
     this->Capture->ReleaseGraphicsResources(window);
     this->Resolve.ReleaseGraphicsResources(window);
+    this->Layers.ReleaseGraphicsResources(window);
     this->Occlusion.ReleaseGraphicsResources(window);
     this->Denoise.ReleaseGraphicsResources(window);
     this->Modulate.ReleaseGraphicsResources(window);
     this->Display.ReleaseGraphicsResources(window);
     this->Geometry = nullptr;
     this->Visibility = nullptr;
+    this->Solids = nullptr;
+    this->MoreSolids = nullptr;
   }
 };
 
@@ -242,6 +251,7 @@ public:
 vtkScreenSpaceAmbientOcclusionPass::vtkScreenSpaceAmbientOcclusionPass()
   : Stages(new Pipeline)
 {
+  this->SetQualityToBalanced();
 }
 
 //------------------------------------------------------------------------------
@@ -254,6 +264,8 @@ void vtkScreenSpaceAmbientOcclusionPass::Render(const vtkRenderState* s)
   Pipeline& stages = *this->Stages;
   stages.Geometry = nullptr;
   stages.Visibility = nullptr;
+  stages.Solids = nullptr;
+  stages.MoreSolids = nullptr;
   stages.Times.fill(0.0);
   this->FollowWindow(s->GetRenderer()->GetVTKWindow());
 
@@ -346,7 +358,8 @@ int vtkScreenSpaceAmbientOcclusionPass::RenderOpaqueWithOcclusion(const vtkRende
   }
   const bool nothingToShade = this->OutputMode == Composite && !stages.Capture->HasSurfaces();
   const bool shaded = nothingToShade ||
-    (this->ComputeOcclusion(view) && this->RemoveNoise(view) && this->ModulateLight(view));
+    (this->FindLayers(s, view) && this->ComputeOcclusion(view) && this->RemoveNoise(view) &&
+      this->ModulateLight(view));
   if (!shaded)
   {
     vtkErrorMacro("A shader or framebuffer of the occlusion could not be built; the scene is drawn "
@@ -371,8 +384,9 @@ bool vtkScreenSpaceAmbientOcclusionPass::CaptureSurfaces(
   glm::vec3 weights(0.0F);
   if (this->OutputMode == Composite)
   {
-    weights = this->Modulation == All ? glm::vec3(0.0F, 0.0F, 1.0F)
-                                      : glm::vec3(1.0F, this->Modulation == Ambient ? 0.0F : 1.0F, 0.0F);
+    weights = this->Modulation == All
+      ? glm::vec3(0.0F, 0.0F, 1.0F)
+      : glm::vec3(1.0F, this->Modulation == Ambient ? 0.0F : 1.0F, 0.0F);
   }
   stages.Capture->SetOccludableWeights(weights);
   if (!stages.Capture->Capture(s, view))
@@ -391,11 +405,33 @@ bool vtkScreenSpaceAmbientOcclusionPass::CaptureSurfaces(
 }
 
 //------------------------------------------------------------------------------
+bool vtkScreenSpaceAmbientOcclusionPass::FindLayers(
+  const vtkRenderState* s, const vtkSSAOView& view)
+{
+  Pipeline& stages = *this->Stages;
+  const vtkSSAOOcclusionSettings settings = vtkSSAOOcclusionSettings::Of(this);
+  if (!settings.LooksBehind())
+  {
+    return true;
+  }
+  vtkSSAOLayerSettings layers;
+  layers.Layers = settings.Layers;
+  layers.Radius = settings.Radius;
+  layers.Sheet = settings.Sheet;
+  layers.SheetsOnly = settings.SheetsOnly;
+  const bool drawn = stages.Layers.Render(s, view, stages.Capture, layers, stages.Geometry);
+  stages.Solids = drawn ? stages.Layers.GetSolids() : nullptr;
+  stages.MoreSolids = drawn ? stages.Layers.GetMoreSolids() : nullptr;
+  this->TimeStage(LayersStage, view);
+  return drawn;
+}
+
+//------------------------------------------------------------------------------
 bool vtkScreenSpaceAmbientOcclusionPass::ComputeOcclusion(const vtkSSAOView& view)
 {
   Pipeline& stages = *this->Stages;
   const vtkSSAOOcclusionSettings settings = vtkSSAOOcclusionSettings::Of(this);
-  if (!stages.Occlusion.Render(view, settings, stages.Geometry))
+  if (!stages.Occlusion.Render(view, settings, stages.Geometry, stages.Layers))
   {
     return false;
   }
@@ -408,13 +444,15 @@ bool vtkScreenSpaceAmbientOcclusionPass::ComputeOcclusion(const vtkSSAOView& vie
 bool vtkScreenSpaceAmbientOcclusionPass::RemoveNoise(const vtkSSAOView& view)
 {
   Pipeline& stages = *this->Stages;
-  if (this->Denoiser == None || this->NoiseSize == 1)
+  const bool interpolates = this->Denoiser == EdgeAware && this->Downsampling > 1;
+  if (this->Denoiser == None || (this->NoiseSize == 1 && !interpolates))
   {
     return true;
   }
   vtkSSAODenoiseSettings settings;
   settings.Denoiser = this->Denoiser;
   settings.NoiseSize = this->NoiseSize;
+  settings.Downsampling = interpolates ? this->Downsampling : 1;
   settings.Radius = stages.EffectiveRadius;
   if (!stages.Denoise.Render(view, settings, stages.Geometry, stages.Visibility))
   {
@@ -519,12 +557,17 @@ int vtkScreenSpaceAmbientOcclusionPass::GetNumberOfProgramBuilds() const
 bool vtkScreenSpaceAmbientOcclusionPass::GetVisibility(vtkImageData* image)
 {
   const glm::ivec4 viewport = this->Stages->Viewport;
-  const std::vector<float> values = Download(this->Stages->Visibility, viewport, 1);
+  const std::vector<float> values = Download(this->Stages->Visibility, viewport);
   if (values.empty())
   {
     return false;
   }
-  std::copy(values.begin(), values.end(), NewPixels(image, viewport, 1, "Visibility"));
+  float* pixel = NewPixels(image, viewport, 1, "Visibility");
+  const std::size_t components = this->Stages->Visibility->GetComponents();
+  for (std::size_t i = 0; i < values.size(); i += components)
+  {
+    *pixel++ = values[i];
+  }
   return true;
 }
 
@@ -532,20 +575,41 @@ bool vtkScreenSpaceAmbientOcclusionPass::GetVisibility(vtkImageData* image)
 bool vtkScreenSpaceAmbientOcclusionPass::GetGeometry(vtkImageData* image)
 {
   const glm::ivec4 viewport = this->Stages->Viewport;
-  const std::vector<float> values = Download(this->Stages->Geometry, viewport, 4);
+  const std::vector<float> values = Download(this->Stages->Geometry, viewport);
   if (values.empty())
   {
     return false;
   }
-  float* pixel = NewPixels(image, viewport, 7, "Geometry");
-  for (std::size_t i = 0; i < values.size(); i += 4, pixel += 7)
+  float* pixel = NewPixels(image, viewport, 8, "Geometry");
+  for (std::size_t i = 0; i < values.size(); i += 4, pixel += 8)
   {
     const bool surface = values[i] > 0.0F;
     const glm::vec3 normal = surface ? shader::ssaoUnpackNormal(values[i + 1]) : glm::vec3(0.0F);
-    const glm::vec3 facet = surface ? shader::ssaoUnpackNormal(values[i + 2]) : glm::vec3(0.0F);
+    const glm::vec3 facet = surface ? shader::ssaoUnpackFacet(values[i + 2]) : glm::vec3(0.0F);
     pixel[0] = values[i];
     std::copy(&normal[0], &normal[0] + 3, pixel + 1);
     std::copy(&facet[0], &facet[0] + 3, pixel + 4);
+    pixel[7] = surface ? shader::ssaoUnpackFacing(values[i + 2]) : 0.0F;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkScreenSpaceAmbientOcclusionPass::GetSolids(vtkImageData* image)
+{
+  const Pipeline& stages = *this->Stages;
+  const glm::ivec4 viewport = stages.Viewport;
+  const std::vector<float> first = Download(stages.Solids, viewport);
+  const std::vector<float> second = Download(stages.MoreSolids, viewport);
+  if (first.empty() || second.empty())
+  {
+    return false;
+  }
+  float* pixel = NewPixels(image, viewport, 8, "Solids");
+  for (std::size_t i = 0; i < first.size(); i += 4, pixel += 8)
+  {
+    std::copy(&first[i], &first[i] + 4, pixel);
+    std::copy(&second[i], &second[i] + 4, pixel + 4);
   }
   return true;
 }
@@ -605,42 +669,57 @@ void vtkScreenSpaceAmbientOcclusionPass::SetRadius(double radius)
 }
 
 //------------------------------------------------------------------------------
-void vtkScreenSpaceAmbientOcclusionPass::SetQuality(int kernelSize)
+void vtkScreenSpaceAmbientOcclusionPass::SetQuality(
+  int estimator, int directions, int steps, int noiseSize, int downsampling)
 {
-  this->SetEstimatorToHemisphere();
-  this->SetKernelSize(kernelSize);
+  this->SetEstimator(estimator);
+  this->SetDirections(directions);
+  this->SetSteps(steps);
+  this->SetLayers(5);
+  this->SetThickness(0.0);
+  this->SetNoiseSize(noiseSize);
+  this->SetDownsampling(downsampling);
   this->SetDenoiserToEdgeAware();
 }
 
 //------------------------------------------------------------------------------
 void vtkScreenSpaceAmbientOcclusionPass::SetQualityToFast()
 {
-  this->SetQuality(16);
+  this->SetQuality(ExactHorizon, 1, 8, 3, 2);
 }
 
 //------------------------------------------------------------------------------
 void vtkScreenSpaceAmbientOcclusionPass::SetQualityToBalanced()
 {
-  this->SetQuality(32);
+  this->SetQuality(LayeredBitmask, 2, 6, 2, 2);
 }
 
 //------------------------------------------------------------------------------
 void vtkScreenSpaceAmbientOcclusionPass::SetQualityToAccurate()
 {
-  this->SetQuality(64);
+  this->SetQuality(LayeredBitmask, 4, 12, 2, 2);
 }
 
 //------------------------------------------------------------------------------
 void vtkScreenSpaceAmbientOcclusionPass::SetEstimator(int estimator)
 {
-  this->SetInRange("Estimator", this->Estimator, estimator, CrytekSphere, HorizonAngle);
+  const int before = this->Estimator;
+  this->SetInRange("Estimator", this->Estimator, estimator, CrytekSphere, LayeredBitmask);
+  if (this->Estimator != before && this->Estimator <= HorizonAngle)
+  {
+    // What the sources have, not what a preset of ours left.
+    this->SetNoiseSize(4);
+    this->SetDownsampling(1);
+    this->SetDirections(6);
+    this->SetSteps(4);
+  }
 }
 
 //------------------------------------------------------------------------------
 void vtkScreenSpaceAmbientOcclusionPass::SetKernelSize(int size)
 {
   this->SetInRange("KernelSize", this->KernelSize, size, 1, LargestKernel);
-  if (this->Estimator == HorizonAngle && this->KernelSize == size)
+  if (this->Estimator >= HorizonAngle && this->KernelSize == size)
   {
     const std::array<int, 2> factors = NearestDirectionsAndSteps(size);
     this->SetDirections(factors[0]);
@@ -667,6 +746,18 @@ void vtkScreenSpaceAmbientOcclusionPass::SetAngleBias(double degrees)
 }
 
 //------------------------------------------------------------------------------
+void vtkScreenSpaceAmbientOcclusionPass::SetLayers(int layers)
+{
+  this->SetInRange("Layers", this->Layers, layers, 1, vtkSSAOLayerStage::MostLayers);
+}
+
+//------------------------------------------------------------------------------
+void vtkScreenSpaceAmbientOcclusionPass::SetThickness(double thickness)
+{
+  this->SetInRange("Thickness", this->Thickness, thickness, 0.0, Infinity);
+}
+
+//------------------------------------------------------------------------------
 void vtkScreenSpaceAmbientOcclusionPass::SetMinimumDifference(double share)
 {
   this->SetInRange("MinimumDifference", this->MinimumDifference, share, 0.0, 1.0);
@@ -688,6 +779,12 @@ void vtkScreenSpaceAmbientOcclusionPass::SetAttenuation(double attenuation)
 void vtkScreenSpaceAmbientOcclusionPass::SetNoiseSize(int size)
 {
   this->SetInRange("NoiseSize", this->NoiseSize, size, 1, LargestNoise);
+}
+
+//------------------------------------------------------------------------------
+void vtkScreenSpaceAmbientOcclusionPass::SetDownsampling(int edge)
+{
+  this->SetInRange("Downsampling", this->Downsampling, edge, 1, LargestDownsampling);
 }
 
 //------------------------------------------------------------------------------
@@ -770,12 +867,16 @@ void vtkScreenSpaceAmbientOcclusionPass::PrintSelf(ostream& os, vtkIndent indent
   os << indent << "Directions: " << this->Directions << "\n";
   os << indent << "Steps: " << this->Steps << "\n";
   os << indent << "AngleBias: " << this->AngleBias << "\n";
+  os << indent << "Layers: " << this->Layers << "\n";
+  os << indent << "Thickness: " << this->Thickness
+     << (this->Thickness > 0.0 ? "" : " (from the layers)") << "\n";
   os << indent << "HalfRule: " << (this->HalfRule ? "on" : "off") << "\n";
   os << indent << "RangeCheck: " << (this->RangeCheck ? "on" : "off") << "\n";
   os << indent << "MinimumDifference: " << this->MinimumDifference << "\n";
   os << indent << "Falloff: " << this->Falloff << "\n";
   os << indent << "Attenuation: " << this->Attenuation << "\n";
   os << indent << "NoiseSize: " << this->NoiseSize << "\n";
+  os << indent << "Downsampling: " << this->Downsampling << "\n";
   os << indent << "Bias: " << this->Bias << (this->Bias < 0.0 ? " (automatic)" : "") << "\n";
   os << indent << "EffectiveBias: " << this->GetEffectiveBias() << "\n";
   os << indent << "Denoiser: " << this->Denoiser << "\n";

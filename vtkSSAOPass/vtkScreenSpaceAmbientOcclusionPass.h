@@ -52,7 +52,9 @@ public:
     Hemisphere = 3,
     HemisphereLinearDepth = 4,
     ReflectedHemisphere = 5,
-    HorizonAngle = 6
+    HorizonAngle = 6,
+    ExactHorizon = 7,
+    LayeredBitmask = 8
   };
 
   /// How the noise of the estimate is removed.
@@ -108,8 +110,12 @@ public:
 
   ///@{
   /**
-   * Choose all of estimator, KernelSize and denoiser together. Balanced is the default. Each
-   * control may be changed afterwards.
+   * Choose estimator, Directions, Steps, Layers, Thickness, NoiseSize, Downsampling and denoiser
+   * together. Balanced is the default. Each control may be changed afterwards. All estimate one of
+   * 2 x 2 pixels and interpolate.
+   * - Fast: ExactHorizon, 1 slice of 2 x 8 samples.
+   * - Balanced: LayeredBitmask, 2 slices of 2 x 6 samples, 5 layers.
+   * - Accurate: LayeredBitmask, 4 slices of 2 x 12 samples, 5 layers.
    */
   void SetQualityToFast();
   void SetQualityToBalanced();
@@ -131,7 +137,7 @@ public:
    * radius. No noise. See RangeCheck.
    * - DepthSphere: OGLdev, tutorial 46. The same with positions rebuilt from a depth buffer of 32
    * bits, and as exact as that is: the nearer the near end of the clipping range, the less.
-   * - Hemisphere (default): Chapman, "SSAO Tutorial", 2013, and LearnOpenGL, "SSAO". KernelSize (64
+   * - Hemisphere: Chapman, "SSAO Tutorial", 2013, and LearnOpenGL, "SSAO". KernelSize (64
    * in the source) points in the hemisphere above the surface, turned per pixel by the noise tile.
    * See Bias, RangeCheck.
    * - HemisphereLinearDepth: the older version of LearnOpenGL, "SSAO". The same without bias.
@@ -143,7 +149,17 @@ public:
    * - HorizonAngle: HBAO (Bavoil, Sainz, Dimitrov, "Image-Space Horizon-Based Ambient Occlusion",
    * 2008). The horizon above the tangent plane in Directions x Steps samples. Elevations are
    * against the plane that faces the viewer, in the source against the view plane. See AngleBias.
+   * - ExactHorizon: GTAO (Jimenez, Wu, Pesce, Jarabo, "Practical Realtime Strategies for Accurate
+   * Indirect Occlusion", 2016). The horizon to either side in Directions slices of twice Steps
+   * samples, and the cosine-weighted visibility above it in closed form. Everything behind the
+   * horizon counts as solid.
+   * - LayeredBitmask: the same slices, but what a sample's ray meets is known behind its first
+   * surface too, from Layers layers of depth, so that light passes behind what is thin. See Layers,
+   * Thickness. The sectors of a slice that are hidden are kept as bits (Therrien, Levesque, Gilet,
+   * "Screen Space Indirect Lighting with Visibility Bitmask", 2023). The default.
    *
+   * Changing to one of the first seven, which stand for a source's system, also sets what a preset
+   * may have left otherwise: NoiseSize 4, Downsampling 1, Directions 6, Steps 4.
    * An unknown value is refused with an error.
    */
   void SetEstimator(int estimator);
@@ -155,13 +171,16 @@ public:
   void SetEstimatorToHemisphereLinearDepth() { this->SetEstimator(HemisphereLinearDepth); }
   void SetEstimatorToReflectedHemisphere() { this->SetEstimator(ReflectedHemisphere); }
   void SetEstimatorToHorizonAngle() { this->SetEstimator(HorizonAngle); }
+  void SetEstimatorToExactHorizon() { this->SetEstimator(ExactHorizon); }
+  void SetEstimatorToLayeredBitmask() { this->SetEstimator(LayeredBitmask); }
   ///@}
 
   ///@{
   /**
    * Number of sample points per pixel. Range [1, 1024], default 32. Set while the estimator is
-   * HorizonAngle, which has none, it also sets Directions and Steps to those with the nearest
-   * product, about 3 directions for 2 steps. A value out of range is refused with an error.
+   * HorizonAngle, ExactHorizon or LayeredBitmask, which have none, it also sets Directions and
+   * Steps to those with the nearest product, about 3 directions for 2 steps. A value out of range
+   * is refused with an error.
    */
   void SetKernelSize(int size);
   vtkGetMacro(KernelSize, int);
@@ -169,8 +188,10 @@ public:
 
   ///@{
   /**
-   * HorizonAngle: number of directions about a pixel, and of samples in each. Range [1, 64] each,
-   * defaults 6 and 4, as in NVIDIA's sample. A value out of range is refused with an error.
+   * HorizonAngle: number of directions about a pixel, and of samples in each; 6 and 4 in NVIDIA's
+   * sample. ExactHorizon, LayeredBitmask: number of slices, and of samples to either side of the
+   * pixel in each; where the radius covers fewer pixels there are fewer samples. Range [1, 64]
+   * each, defaults 6 and 4. A value out of range is refused with an error.
    */
   void SetDirections(int directions);
   vtkGetMacro(Directions, int);
@@ -186,6 +207,29 @@ public:
    */
   void SetAngleBias(double degrees);
   vtkGetMacro(AngleBias, double);
+  ///@}
+
+  ///@{
+  /**
+   * LayeredBitmask: how many surfaces behind each other are known of each pixel: 1, or up to 5, for
+   * which the opaque props are drawn once more without lighting (the first surface, and behind it
+   * the nearest and the farthest front and back), or up to 9, for which they are drawn twice more.
+   * Range [1, 9], default 5. A value out of range is refused with an error.
+   */
+  void SetLayers(int layers);
+  vtkGetMacro(Layers, int);
+  ///@}
+
+  ///@{
+  /**
+   * LayeredBitmask: how thick every surface is, in world units. Range [0, inf); 0, the default:
+   * what lies between a front and the back that closes it is solid, by counting entries and exits,
+   * and a surface that nothing closes is a sheet of a tenth of the radius, or, if nothing else is
+   * behind it, the border of something that goes on, as a terrain is. A negative, infinite or NaN
+   * value is refused with an error.
+   */
+  void SetThickness(double thickness);
+  vtkGetMacro(Thickness, double);
   ///@}
 
   ///@{
@@ -255,6 +299,17 @@ public:
    */
   void SetNoiseSize(int size);
   vtkGetMacro(NoiseSize, int);
+  ///@}
+
+  ///@{
+  /**
+   * Visibility is estimated for one pixel of each square of N x N and interpolated along the
+   * surfaces between them, by the EdgeAware denoiser; with another denoiser N is 1. The noise tile
+   * counts estimated pixels. More samples for fewer pixels are more accurate than the reverse.
+   * Range [1, 4], default 1. A value out of range is refused with an error.
+   */
+  void SetDownsampling(int edge);
+  vtkGetMacro(Downsampling, int);
   ///@}
 
   ///@{
@@ -396,10 +451,11 @@ public:
   enum StageType
   {
     CaptureStage = 0,
-    OcclusionStage = 1,
-    DenoiseStage = 2,
-    ModulateStage = 3,
-    NumberOfStages = 4
+    LayersStage = 1,
+    OcclusionStage = 2,
+    DenoiseStage = 3,
+    ModulateStage = 4,
+    NumberOfStages = 5
   };
 
   ///@{
@@ -431,12 +487,15 @@ public:
    * GetVisibility: one float, V after denoising, before Power and Intensity, 1 where no lit opaque
    * surface is seen. GetGeometry: seven floats, linear view depth in world units (0: no surface),
    * shading normal and facet normal in view coordinates, towards the viewer.
-   * False, and the image is left alone, if the last render made none: before any render, in output
-   * mode Unoccluded, with Intensity 0 in output mode Composite, or after
-   * ReleaseGraphicsResources.
+   * GetSolids: eight floats, made for LayeredBitmask only: front and back of up to four stretches
+   * of the pixel's ray that lie inside solids, as linear view depths, 0 and 0 for none, 1e30 for no
+   * end; the first front is negative where the surface shows its back. False, and the image is left
+   * alone, if the last render made none: before any render, in output mode Unoccluded, with
+   * Intensity 0 in output mode Composite, or after ReleaseGraphicsResources.
    */
   bool GetVisibility(vtkImageData* image);
   bool GetGeometry(vtkImageData* image);
+  bool GetSolids(vtkImageData* image);
   ///@}
 
   /**
@@ -463,12 +522,15 @@ private:
   int Directions = 6;
   int Steps = 4;
   double AngleBias = 30.0;
+  int Layers = 5;
+  double Thickness = 0.0;
   bool HalfRule = true;
   bool RangeCheck = true;
   double MinimumDifference = 0.01;
   int Falloff = PowerFalloff;
   double Attenuation = 1.0;
   int NoiseSize = 4;
+  int Downsampling = 1;
   double Bias = -1.0;
   int Denoiser = EdgeAware;
   int Modulation = AmbientAndDiffuse;
@@ -489,6 +551,7 @@ private:
   void RenderScene(const vtkRenderState* s);
   int RenderOpaqueWithOcclusion(const vtkRenderState* s);
   bool CaptureSurfaces(const vtkRenderState* s, const vtkSSAOView& view);
+  bool FindLayers(const vtkRenderState* s, const vtkSSAOView& view);
   bool ComputeOcclusion(const vtkSSAOView& view);
   bool RemoveNoise(const vtkSSAOView& view);
   bool ModulateLight(const vtkSSAOView& view);
@@ -498,7 +561,7 @@ private:
   void UpdateEffectiveRadius(vtkRenderer* renderer);
   void WarnOnce(const char* reason);
   void TimeStage(int stage, const vtkSSAOView& view);
-  void SetQuality(int kernelSize);
+  void SetQuality(int estimator, int directions, int steps, int noiseSize, int downsampling);
   template <typename Value>
   void SetInRange(const char* name, Value& variable, double value, double low, double high);
 };

@@ -6,6 +6,8 @@
 #include "vtkSSAOPass.h"
 #include "vtkScreenSpaceAmbientOcclusionPass.h"
 
+#include <array>
+
 namespace
 {
 using Pass = vtkScreenSpaceAmbientOcclusionPass;
@@ -91,6 +93,46 @@ vtkSSAOReportMethod HorizonMethod(int directions, int steps)
 }
 
 //------------------------------------------------------------------------------
+// Estimators that cut the hemisphere into slices, every pixel estimated.
+vtkSSAOReportMethod SliceMethod(
+  const std::string& name, int estimator, int directions, int steps, int layers)
+{
+  const std::string family = name +
+    (estimator == Pass::LayeredBitmask && layers != 5 ? ", " + std::to_string(layers) + " layers"
+                                                      : "");
+  return OurMethod(family + " " + std::to_string(directions) + "x" + std::to_string(steps), family,
+    2 * directions * steps,
+    [estimator, directions, steps, layers](Pass* pass)
+    {
+      pass->SetEstimator(estimator);
+      pass->SetDirections(directions);
+      pass->SetSteps(steps);
+      pass->SetLayers(layers);
+      pass->SetDownsampling(1);
+    });
+}
+
+//------------------------------------------------------------------------------
+// Sweeps of slices x steps: few but far apart, as each costs every view its frames.
+void AddSlices(std::vector<vtkSSAOReportMethod>& methods, bool quick)
+{
+  using Slices = std::array<int, 2>;
+  const std::vector<Slices> sweep = quick
+    ? std::vector<Slices>{ Slices{ { 2, 8 } } }
+    : std::vector<Slices>{ Slices{ { 1, 6 } }, Slices{ { 2, 8 } }, Slices{ { 4, 16 } } };
+  for (const Slices& slices : sweep)
+  {
+    methods.push_back(SliceMethod("ExactHorizon", Pass::ExactHorizon, slices[0], slices[1], 5));
+    methods.push_back(SliceMethod("LayeredBitmask", Pass::LayeredBitmask, slices[0], slices[1], 5));
+  }
+  if (!quick)
+  {
+    methods.push_back(SliceMethod("LayeredBitmask", Pass::LayeredBitmask, 2, 8, 1));
+    methods.push_back(SliceMethod("LayeredBitmask", Pass::LayeredBitmask, 2, 8, 9));
+  }
+}
+
+//------------------------------------------------------------------------------
 // Every other estimator and denoiser once; quick: with fewer samples than the sources use.
 void AddSystems(std::vector<vtkSSAOReportMethod>& methods, bool quick)
 {
@@ -131,6 +173,7 @@ std::vector<vtkSSAOReportMethod> vtkSSAOReportMethods(bool quick)
   {
     methods.push_back(HemisphereMethod(32, Pass::None, "raw"));
   }
+  AddSlices(methods, quick);
   AddSystems(methods, quick);
   return methods;
 }

@@ -239,6 +239,11 @@ bool vtkSSAOReportView::MeasureOurs(std::vector<Trial>& trials, std::string& err
       error = trial.Method->Name + " made no visibility";
       return false;
     }
+    vtkNew<vtkImageData> solids;
+    if (pass->GetSolids(solids))
+    {
+      twin->SetSolids(solids);
+    }
     trial.Visibility = Values(visibility);
     this->MeasureArithmetic(trial, *twin, Values(raw));
   }

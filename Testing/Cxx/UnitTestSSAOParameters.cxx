@@ -55,13 +55,16 @@ std::vector<Parameter> Parameters()
     PARAMETER(IntensityShift, 0.0, false, { -1.0, 0.5, 1.0 }, with({ -1.1, 1.1 })),
     PARAMETER(VolumeOpacityThreshold, 0.9, false, { 0.0, 0.5, 1.0 }, with({ -0.1, 1.1 })),
     PARAMETER(KernelSize, 32.0, true, { 1, 7, 1024 }, { 0, -1, 1025, 2147483647 }),
-    PARAMETER(NoiseSize, 4.0, true, { 1, 3, 64 }, { 0, -1, 65, 2147483647 }),
+    PARAMETER(NoiseSize, 2.0, true, { 1, 3, 64 }, { 0, -1, 65, 2147483647 }),
     PARAMETER(Denoiser, Pass::EdgeAware, true, { 0, 1, 4 }, { -1, 5, 1000 }),
     PARAMETER(Modulation, Pass::AmbientAndDiffuse, true, { 0, 1, 2 }, { -1, 3 }),
     PARAMETER(OutputMode, Pass::Composite, true, { 0, 1, 2, 3, 4 }, { -1, 5 }),
-    PARAMETER(Estimator, Pass::Hemisphere, true, { Pass::Hemisphere }, { -1, 1000 }),
-    PARAMETER(Directions, 6.0, true, { 1, 7, 64 }, { 0, -1, 65, 2147483647 }),
-    PARAMETER(Steps, 4.0, true, { 1, 7, 64 }, { 0, -1, 65, 2147483647 }),
+    PARAMETER(Estimator, Pass::LayeredBitmask, true, { 0, 1, 2, 3, 4, 5, 6, 7, 8 }, { -1, 9, 1000 }),
+    PARAMETER(Layers, 5.0, true, { 1, 2, 5, 9 }, { 0, -1, 10, 2147483647 }),
+    PARAMETER(Thickness, 0.0, false, { 0.0, 1.0e-30, 0.5, 1.0e30 }, with({ -1.0, -1.0e-30 })),
+    PARAMETER(Downsampling, 2.0, true, { 1, 2, 4 }, { 0, -1, 5, 2147483647 }),
+    PARAMETER(Directions, 2.0, true, { 1, 7, 64 }, { 0, -1, 65, 2147483647 }),
+    PARAMETER(Steps, 6.0, true, { 1, 7, 64 }, { 0, -1, 65, 2147483647 }),
     PARAMETER(AngleBias, 30.0, false, { 0.0, 45.0, 89.0 }, with({ -0.1, 89.5, 90.0 })),
     PARAMETER(HalfRule, 1.0, true, { 0, 1 }, {}),
     PARAMETER(RangeCheck, 1.0, true, { 0, 1 }, {}),
@@ -130,17 +133,49 @@ void TestOthers(vtkSSAOTestMonitor& test)
   pass->SetRadius(2.5);
   test.ExpectEqual(pass->GetEffectiveRadius(), 2.5, "effective radius before any render");
 
-  const int sizes[] = { 16, 32, 64 };
+  // Estimator, slices, samples to a side, noise, downsampling.
+  const int wanted[][5] = { { Pass::ExactHorizon, 1, 8, 3, 2 }, { Pass::LayeredBitmask, 2, 6, 2, 2 },
+    { Pass::LayeredBitmask, 4, 12, 2, 2 } };
   const std::function<void()> presets[] = { [&] { pass->SetQualityToFast(); },
     [&] { pass->SetQualityToBalanced(); }, [&] { pass->SetQualityToAccurate(); } };
   for (int preset = 0; preset < 3; ++preset)
   {
-    pass->SetKernelSize(5);
+    pass->SetEstimatorToHemisphere();
     pass->SetDenoiserToNone();
+    pass->SetLayers(9);
+    pass->SetThickness(0.25);
     presets[preset]();
-    test.ExpectEqual(pass->GetKernelSize(), sizes[preset], "kernel size of a preset");
+    test.ExpectEqual(pass->GetEstimator(), wanted[preset][0], "estimator of a preset");
+    test.ExpectEqual(pass->GetDirections(), wanted[preset][1], "directions of a preset");
+    test.ExpectEqual(pass->GetSteps(), wanted[preset][2], "steps of a preset");
+    test.ExpectEqual(pass->GetNoiseSize(), wanted[preset][3], "noise size of a preset");
+    test.ExpectEqual(pass->GetDownsampling(), wanted[preset][4], "downsampling of a preset");
+    test.ExpectEqual(pass->GetLayers(), 5, "layers of a preset");
+    test.ExpectEqual(pass->GetThickness(), 0.0, "thickness of a preset");
     test.ExpectEqual(pass->GetDenoiser(), Pass::EdgeAware, "denoiser of a preset");
-    test.ExpectEqual(pass->GetEstimator(), Pass::Hemisphere, "estimator of a preset");
+  }
+  vtkNew<Pass> standard;
+  test.ExpectEqual(standard->GetEstimator(), Pass::LayeredBitmask, "estimator by default");
+
+  // The systems of the sources get what they were made for.
+  for (int estimator = Pass::CrytekSphere; estimator <= Pass::LayeredBitmask; ++estimator)
+  {
+    const bool slices = estimator >= Pass::ExactHorizon;
+    pass->SetQualityToFast();
+    pass->SetEstimator(estimator);
+    const std::string what = "after changing to estimator " + std::to_string(estimator);
+    test.ExpectEqual(pass->GetNoiseSize(), slices ? 3 : 4, "noise size " + what);
+    test.ExpectEqual(pass->GetDownsampling(), slices ? 2 : 1, "downsampling " + what);
+    test.ExpectEqual(pass->GetDirections(), slices ? 1 : 6, "directions " + what);
+    test.ExpectEqual(pass->GetSteps(), slices ? 8 : 4, "steps " + what);
+    if (!slices)
+    {
+      pass->SetNoiseSize(5);
+      pass->SetDownsampling(3);
+      pass->SetEstimator(estimator);
+      test.ExpectEqual(pass->GetNoiseSize(), 5, "noise size stays where the estimator does");
+      test.ExpectEqual(pass->GetDownsampling(), 3, "downsampling stays where the estimator does");
+    }
   }
 
   pass->SetDenoiserToBox();
@@ -172,6 +207,9 @@ void TestPrintSelf(vtkSSAOTestMonitor& test)
   pass->SetMinimumDifference(0.03125);
   pass->SetFalloffToInverseSquare();
   pass->SetAttenuation(1.75);
+  pass->SetLayers(7);
+  pass->SetThickness(0.1875);
+  pass->SetDownsampling(3);
   pass->SetNoiseSize(9);
   pass->SetIntensity(1.25);
   pass->SetPower(3.125);
@@ -185,7 +223,8 @@ void TestPrintSelf(vtkSSAOTestMonitor& test)
     { "EffectiveRadius", "0.515625" }, { "Estimator", "" }, { "KernelSize", "77" },
     { "Directions", "11" }, { "Steps", "13" }, { "AngleBias", "12.5" }, { "HalfRule", "off" },
     { "RangeCheck", "off" }, { "MinimumDifference", "0.03125" }, { "Falloff", "2" },
-    { "Attenuation", "1.75" }, { "NoiseSize", "9" }, { "Bias", "0.0625" }, { "Denoiser", "" },
+    { "Attenuation", "1.75" }, { "NoiseSize", "9" },
+    { "Layers", "7" }, { "Thickness", "0.1875" }, { "Downsampling", "3" }, { "Bias", "0.0625" }, { "Denoiser", "" },
     { "Modulation", "" }, { "Intensity", "1.25" }, { "Power", "3.125" },
     { "IntensityScale", "2.375" }, { "IntensityShift", "-0.4375" }, { "OutputMode", "" },
     { "DepthFormat", "42" }, { "VolumeOpacityThreshold", "0.8125" }, { "StageTiming", "" } };

@@ -194,23 +194,7 @@ inline void TestWeights(vtkSSAOTestMonitor& test, const std::string& what)
   }
   test.Expect(falls, what + "range check falls with distance");
 
-  // 1 on the tangent plane and within a tenth of the footprint of it, 0 from 30 degrees off it.
   const vec3 up(0, 0, 1);
-  const Scalar footprint = Scalar(0.01);
-  test.ExpectEqual(
-    ssaoPlaneWeight(vec3(0, 0, 0), up, footprint), 1.0, what + "weight of the centre");
-  test.ExpectEqual(
-    ssaoPlaneWeight(vec3(3, -4, 0), up, footprint), 1.0, what + "weight on the plane");
-  test.ExpectEqual(ssaoPlaneWeight(vec3(Scalar(0.01), 0, Scalar(0.0009)), up, footprint), 1.0,
-    what + "weight within the footprint");
-  test.ExpectNear(ssaoPlaneWeight(vec3(Scalar(std::cos(0.53)), 0, Scalar(std::sin(0.53))), up, 0),
-    0.0, Epsilon, what + "weight just above 30 degrees");
-  test.Expect(
-    ssaoPlaneWeight(vec3(Scalar(std::cos(0.51)), 0, Scalar(-std::sin(0.51))), up, 0) > Scalar(0),
-    what + "weight just below 30 degrees, under the plane");
-  test.ExpectEqual(
-    ssaoPlaneWeight(vec3(0, 0, 7), up, footprint), 0.0, what + "weight straight above");
-
   test.ExpectEqual(ssaoNormalWeight(up, up), 1.0, what + "weight of the same normal");
   test.ExpectEqual(ssaoNormalWeight(up, vec3(1, 0, 0)), 0.0, what + "weight at 90 degrees");
   test.ExpectEqual(ssaoNormalWeight(up, -up), 0.0, what + "weight of the opposite normal");
@@ -218,6 +202,98 @@ inline void TestWeights(vtkSSAOTestMonitor& test, const std::string& what)
     4 * Epsilon, what + "weight at 60 degrees");
   test.ExpectNear(ssaoNormalWeight(up, vec3(Scalar(0.6), 0, Scalar(0.8))), 0.6, 4 * Epsilon,
     what + "weight at 37 degrees");
+}
+
+//------------------------------------------------------------------------------
+// The weight by the distance from a facet's plane, against vectors.
+inline void TestPlaneWeight(vtkSSAOTestMonitor& test, const std::string& what)
+{
+  const vec4 toRay(Scalar(0.01), 0, 0, Scalar(0.01));
+  const vec4 offset(Scalar(-0.5), Scalar(-0.4), Scalar(0.125), Scalar(0.25));
+  const vec2 pixel(Scalar(60.5), Scalar(30.5));
+  const Scalar depth = Scalar(4);
+  for (Scalar perspective : { Scalar(1), Scalar(0) })
+  {
+    const std::string which = what + (perspective > 0 ? "perspective, " : "parallel, ");
+    const vec2 slope(Scalar(0.125), Scalar(-0.25));
+    const Scalar footprint = perspective > 0 ? Scalar(0.04) : Scalar(0.01);
+    const vec3 at = ssaoPositionVC(pixel, depth, toRay, offset, slope, perspective);
+    double onPlane = 1.0;
+    double error = 0.0;
+    for (const vec3& facet : Directions())
+    {
+      const SsaoPlane plane =
+        ssaoPlaneThrough(facet, pixel, depth, toRay, offset, slope, perspective);
+      for (int i = 0; i < 9; ++i)
+      {
+        const vec2 moved(Scalar(i % 3 - 1) * Scalar(1.5), Scalar(i / 3 - 1) * Scalar(2));
+        // Two points of the neighbour's ray; the distance is linear between them.
+        const vec3 near =
+          ssaoPositionVC(pixel + moved, depth, toRay, offset, slope, perspective) - at;
+        const vec3 far =
+          ssaoPositionVC(pixel + moved, depth + Scalar(1), toRay, offset, slope, perspective) - at;
+        const Scalar rise = dot(facet, far) - dot(facet, near);
+        const Scalar met = -dot(facet, near) / rise;
+        if (std::abs(rise) > Scalar(0.05) && std::abs(met) < Scalar(2))
+        {
+          onPlane = std::min<double>(onPlane, ssaoPlaneWeight(plane, depth + met, moved));
+        }
+        for (Scalar deeper : { Scalar(-0.03), Scalar(-0.004), Scalar(0), Scalar(0.01) })
+        {
+          const vec3 neighbour =
+            ssaoPositionVC(pixel + moved, depth + deeper, toRay, offset, slope, perspective);
+          // In pixels, less a tenth; nothing is left at half the distance in the picture.
+          const double away =
+            std::max(std::abs(dot(facet, neighbour - at)) / footprint - Scalar(0.1), Scalar(0));
+          const double weight =
+            1.0 - 2.0 * away / std::max(double(length(moved)), 1.0);
+          error = std::max(error,
+            std::abs(ssaoPlaneWeight(plane, depth + deeper, moved) -
+              std::min(std::max(weight, 0.0), 1.0)));
+        }
+      }
+    }
+    test.ExpectEqual(onPlane, 1.0, which + "weight on the plane");
+    // Depths near 4 are rounded, in half footprints of .005.
+    test.ExpectAtMost(error, 4000 * Epsilon, which + "weight against vectors");
+
+    const SsaoPlane facing = ssaoPlaneThrough(
+      vec3(0, 0, 1), pixel, depth, toRay, offset, vec2(0, 0), Scalar(0));
+    const vec2 moved(Scalar(3), Scalar(4));
+    test.ExpectEqual(ssaoPlaneWeight(facing, Scalar(0), moved), 0.0,
+      which + "weight where there is no surface");
+    test.ExpectEqual(ssaoPlaneWeight(facing, depth + Scalar(0.0009), moved), 1.0,
+      which + "weight a tenth of a pixel off");
+    test.ExpectEqual(ssaoPlaneWeight(facing, depth - Scalar(0.0265), moved), 0.0,
+      which + "weight 2.65 pixels off, 5 pixels away");
+    test.Expect(ssaoPlaneWeight(facing, depth - Scalar(0.0255), moved) > Scalar(0),
+      which + "weight 2.55 pixels off, 5 pixels away");
+  }
+}
+
+//------------------------------------------------------------------------------
+inline void TestFacets(vtkSSAOTestMonitor& test, const std::string& what)
+{
+  double error = 0.0;
+  double largest = 0.0;
+  bool sides = true;
+  bool whole = true;
+  for (const vec3& facet : Directions())
+  {
+    for (Scalar facing : { Scalar(1), Scalar(-1) })
+    {
+      const Scalar code = ssaoPackFacet(facet, facing);
+      sides = sides && ssaoUnpackFacing(code) == facing && code != Scalar(0);
+      whole = whole && std::floor(code) == code;
+      error = std::max<double>(
+        error, length(ssaoUnpackFacet(code) - ssaoUnpackNormal(ssaoPackNormal(facet))));
+      largest = std::max<double>(largest, std::abs(code));
+    }
+  }
+  test.ExpectEqual(error, 0.0, what + "a packed facet is a packed normal");
+  test.Expect(sides, what + "a packed facet keeps the side it shows");
+  test.Expect(whole, what + "packed facets are whole numbers");
+  test.ExpectAtMost(largest, 16777216.0, what + "largest packed facet, exact in float32");
 }
 
 //------------------------------------------------------------------------------
@@ -432,6 +508,8 @@ inline void TestAll(vtkSSAOTestMonitor& test, const std::string& what)
   TestPositions(test, what);
   TestTangents(test, what);
   TestWeights(test, what);
+  TestPlaneWeight(test, what);
+  TestFacets(test, what);
   TestSlope(test, what);
   TestStrength(test, what);
   TestEstimator(test, what);

@@ -49,7 +49,12 @@ inline void ExpectTwin(vtkSSAOTestMonitor& test, vtkSSAOTestView& view, const st
   view.Pass->SetDenoiser(denoiser);
   vtkNew<vtkImageData> geometry;
   view.Pass->GetGeometry(geometry);
-  const vtkSSAOTwin twin(geometry, view.Renderer->GetActiveCamera());
+  vtkSSAOTwin twin(geometry, view.Renderer->GetActiveCamera());
+  vtkNew<vtkImageData> solids;
+  if (view.Pass->GetSolids(solids))
+  {
+    twin.SetSolids(solids);
+  }
   const vtkSSAOOcclusionSettings settings = vtkSSAOOcclusionSettings::Of(view.Pass);
   const std::vector<double> exact = twin.Visibility(settings);
 

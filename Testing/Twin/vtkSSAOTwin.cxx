@@ -51,14 +51,17 @@ struct OcclusionShader
   int directions;
   int steps;
   vec2 angleBias;
+  vec2 sliceTurn;
+  float sheet;
   int noiseTile;
   float depthScale; // all depths that are looked up are multiplied by it
   const std::vector<glm::vec4>* geometry;
   const std::vector<glm::vec4>* kernel;
   const std::vector<glm::vec4>* noise;
+  const std::vector<glm::vec4>* solids; // two for each pixel
 
-  // Nearest texel, clamped to the edge.
-  vec4 ssaoGeometryAt(const vec2& pixel) const
+  // Index of the nearest texel, clamped to the edge.
+  std::size_t TexelAt(const vec2& pixel) const
   {
     const int width = static_cast<int>(viewport.z);
     const int height = static_cast<int>(viewport.w);
@@ -66,9 +69,24 @@ struct OcclusionShader
     const float y = std::min(std::max(std::floor(pixel.y), 0.0), viewport.w - 1.0);
     const int column = std::isfinite(x) ? static_cast<int>(x) : width - 1;
     const int row = std::isfinite(y) ? static_cast<int>(y) : height - 1;
-    vec4 texel((*geometry)[static_cast<std::size_t>(row) * width + column]);
+    return static_cast<std::size_t>(row) * width + column;
+  }
+
+  vec4 ssaoGeometryAt(const vec2& pixel) const
+  {
+    vec4 texel((*geometry)[this->TexelAt(pixel)]);
     texel.x *= depthScale;
     return texel;
+  }
+
+  vec4 ssaoSolidsAt(const vec2& pixel) const
+  {
+    return vec4((*solids)[2 * this->TexelAt(pixel)]) * depthScale;
+  }
+
+  vec4 ssaoMoreSolidsAt(const vec2& pixel) const
+  {
+    return vec4((*solids)[2 * this->TexelAt(pixel) + 1]) * depthScale;
   }
 
   vec3 ssaoKernelAt(int index) const { return vec3(vec4((*kernel)[index])); }
@@ -81,6 +99,7 @@ struct OcclusionShader
   }
 
 #include "glsl/vtkSSAOPass0Functions.glsl"
+#include "glsl/vtkSSAOPass0SliceFunctions.glsl"
 };
 
 struct CrytekSphere : OcclusionShader
@@ -116,6 +135,16 @@ struct ReflectedHemisphere : OcclusionShader
 struct HorizonAngle : OcclusionShader
 {
 #include "glsl/vtkSSAOPass2HorizonAngle.glsl"
+};
+
+struct ExactHorizon : OcclusionShader
+{
+#include "glsl/vtkSSAOPass2ExactHorizon.glsl"
+};
+
+struct LayeredBitmask : OcclusionShader
+{
+#include "glsl/vtkSSAOPass2LayeredBitmask.glsl"
 };
 #undef float
 
@@ -182,12 +211,23 @@ vtkSSAOTwin::vtkSSAOTwin(vtkImageData* geometry, vtkCamera* camera)
   const auto* pixel = static_cast<const float*>(geometry->GetScalarPointer());
   const std::size_t pixels = static_cast<std::size_t>(this->Width) * this->Height;
   this->Geometry.reserve(pixels);
-  for (std::size_t i = 0; i < pixels; ++i, pixel += 7)
+  for (std::size_t i = 0; i < pixels; ++i, pixel += 8)
   {
     this->Geometry.push_back(pixel[0] > 0.0F
         ? glm::vec4(pixel[0], shader::ssaoPackNormal(glm::vec3(pixel[1], pixel[2], pixel[3])),
-            shader::ssaoPackNormal(glm::vec3(pixel[4], pixel[5], pixel[6])), 1.0F)
+            shader::ssaoPackFacet(glm::vec3(pixel[4], pixel[5], pixel[6]), pixel[7]), 1.0F)
         : glm::vec4(0.0F));
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkSSAOTwin::SetSolids(vtkImageData* solids)
+{
+  const auto* pixel = static_cast<const float*>(solids->GetScalarPointer());
+  this->Solids.clear();
+  for (std::size_t i = 0; i < 2 * this->Geometry.size(); ++i, pixel += 4)
+  {
+    this->Solids.emplace_back(pixel[0], pixel[1], pixel[2], pixel[3]);
   }
 }
 
@@ -196,7 +236,7 @@ std::vector<double> vtkSSAOTwin::Visibility(
   const vtkSSAOOcclusionSettings& settings, const vtkSSAODisturbance& disturbance) const
 {
   const std::vector<glm::vec4> kernel = settings.MakeKernel();
-  const std::vector<glm::vec4> noise = vtkSSAONoiseTile(settings.NoiseSize);
+  const std::vector<glm::vec4> noise = settings.MakeNoise();
   const double angle = glm::radians(settings.AngleBias);
   twin::OcclusionShader uniforms;
   uniforms.viewport = glm::dvec4(0.0, 0.0, this->Width, this->Height);
@@ -217,6 +257,9 @@ std::vector<double> vtkSSAOTwin::Visibility(
   uniforms.directions = settings.Directions;
   uniforms.steps = settings.Steps;
   uniforms.angleBias = glm::dvec2(std::cos(angle), std::sin(angle));
+  uniforms.sliceTurn = glm::dvec2(std::cos(settings.SliceAngle()), std::sin(settings.SliceAngle()));
+  uniforms.sheet = settings.Sheet;
+  uniforms.solids = &this->Solids;
   uniforms.noiseTile = settings.NoiseSize;
   uniforms.depthScale = 1.0 + disturbance.Depth;
   uniforms.geometry = &this->Geometry;
@@ -241,6 +284,12 @@ std::vector<double> vtkSSAOTwin::Visibility(
       return twin::Draw<twin::ReflectedHemisphere>(uniforms, this->Width, this->Height, shift);
     case Pass::HorizonAngle:
       return twin::Draw<twin::HorizonAngle>(uniforms, this->Width, this->Height, shift);
+    case Pass::ExactHorizon:
+      return twin::Draw<twin::ExactHorizon>(uniforms, this->Width, this->Height, shift);
+    case Pass::LayeredBitmask:
+      return this->Solids.empty()
+        ? std::vector<double>()
+        : twin::Draw<twin::LayeredBitmask>(uniforms, this->Width, this->Height, shift);
     default:
       return {};
   }

@@ -41,6 +41,11 @@ public:
    */
   vtkSSAOTwin(vtkImageData* geometry, vtkCamera* camera);
 
+  /**
+   * What LayeredBitmask needs besides: the solids as the pass's GetSolids gives them.
+   */
+  void SetSolids(vtkImageData* solids);
+
   int GetWidth() const { return this->Width; }
   int GetHeight() const { return this->Height; }
 
@@ -55,6 +60,7 @@ private:
   int Width;
   int Height;
   vtkSSAOProjection Projection;
+  std::vector<glm::vec4> Solids;   // two for each pixel
   std::vector<glm::vec4> Geometry; // as in the texture: depth, packed normal, packed facet, 1
 };
 

@@ -60,7 +60,7 @@ GeometryBuffer Capture(
     renderer->GetTiledAspectRatio(), -1.0, 1.0);
   const auto* values = static_cast<const float*>(geometry->GetScalarPointer());
   const auto* open = static_cast<const float*>(visibility->GetScalarPointer());
-  for (vtkIdType i = 0; i < geometry->GetNumberOfPoints(); ++i, values += 7, ++open)
+  for (vtkIdType i = 0; i < geometry->GetNumberOfPoints(); ++i, values += 8, ++open)
   {
     Surface& surface = buffer.Pixels[i];
     const double x = 2.0 * (i % buffer.Width + 0.5) / buffer.Width - 1.0;

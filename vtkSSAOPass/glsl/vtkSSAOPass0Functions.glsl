@@ -48,6 +48,24 @@ vec3 ssaoUnpackNormal(float code)
     vec2(x, y) * float(2.0) / float(4094.0) - vec2(float(1.0), float(1.0)));
 }
 
+// Facet normal and whether the facet shows its front (facing 1) or its back (facing -1) to one
+// float32. The sign is the facing, so the code itself must not be 0.
+float ssaoPackFacet(vec3 facet, float facing)
+{
+  return facing * (ssaoPackNormal(facet) + float(1.0));
+}
+
+// The inverse of ssaoPackFacet.
+vec3 ssaoUnpackFacet(float code)
+{
+  return ssaoUnpackNormal(abs(code) - float(1.0));
+}
+
+float ssaoUnpackFacing(float code)
+{
+  return code < float(0.0) ? float(-1.0) : float(1.0);
+}
+
 // 2x2 matrix (rows m.xy and m.zw) times v.
 vec2 ssaoTransform2(vec4 m, vec2 v)
 {
@@ -167,14 +185,43 @@ float ssaoHalfPixelSlope(
   return min((stepX + stepY) * float(0.5), limit);
 }
 
-// Weight of a neighbour in the edge-aware mean: 1 on the tangent plane, 0 from 30 degrees off it.
-// offset: neighbour minus centre in VC; footprint: width of a pixel at the centre, world units,
-// within which nothing counts as an edge.
-float ssaoPlaneWeight(vec3 offset, vec3 normal, float footprint)
+// The plane of a facet seen at a pixel: the distance from it of what a neighbouring pixel sees is a
+// sum of the neighbour's depth and place.
+struct SsaoPlane
 {
-  float away = max(abs(dot(offset, normal)) - float(0.1) * footprint, float(0.0));
-  return clamp(
-    float(1.0) - float(2.0) * away / max(length(offset), footprint), float(0.0), float(1.0));
+  float depth;       // of the pixel
+  float ofDepth;     // distance for one world unit of depth more, in half footprints
+  vec2 ofPlace;      // distance for one pixel sideways, over scale
+  float perspective; // 1 if the scale is the neighbour's depth, 0 if it is 1
+};
+
+// facet: unit normal in VC; depth: at the pixel; the others as in ssaoPositionVC.
+SsaoPlane ssaoPlaneThrough(vec3 facet, vec2 pixel, float depth, vec4 pixelToRay, vec4 rayOffset,
+  vec2 depthSlope, float perspective)
+{
+  float footprint = length(vec2(pixelToRay.x, pixelToRay.z)) *
+    (perspective * depth + (float(1.0) - perspective));
+  float perHalfFootprint = float(2.0) / max(footprint, float(1.0e-30));
+  vec2 ray = (ssaoTransform2(pixelToRay, pixel) + vec2(rayOffset.x, rayOffset.y)) * perspective +
+    depthSlope;
+  SsaoPlane plane;
+  plane.depth = depth;
+  plane.ofDepth = (facet.x * ray.x + facet.y * ray.y - facet.z) * perHalfFootprint;
+  plane.ofPlace = vec2(facet.x * pixelToRay.x + facet.y * pixelToRay.z,
+    facet.x * pixelToRay.y + facet.y * pixelToRay.w) * perHalfFootprint;
+  plane.perspective = perspective;
+  return plane;
+}
+
+// Weight of a neighbour in the edge-aware mean: 1 on the plane, 0 from 30 degrees off it; a tenth of a
+// pixel off does not count as an edge. depth: the neighbour's, 0 for none; moved: pixels to it.
+float ssaoPlaneWeight(SsaoPlane plane, float depth, vec2 moved)
+{
+  float scale = plane.perspective * depth + (float(1.0) - plane.perspective);
+  float away = (depth - plane.depth) * plane.ofDepth + dot(plane.ofPlace, moved) * scale;
+  float steepness =
+    max(abs(away) - float(0.2), float(0.0)) * inversesqrt(max(dot(moved, moved), float(1.0)));
+  return depth > float(0.0) ? clamp(float(1.0) - steepness, float(0.0), float(1.0)) : float(0.0);
 }
 
 // Weight of a neighbour by its unit normal: 1 when equal, 0 from 60 degrees on.

@@ -2,3 +2,12 @@
 uniform vec3 ssaoOccludableWeights; // of the ambient, the diffuse and the whole colour
 uniform vec4 ssaoDepthOfWindowRows; // rows 2 and 3 of the projection, see ssaoDepthOfWindow
 uniform float ssaoPerspective;      // 1: perspective, 0: parallel projection
+uniform float ssaoFrontSign;        // -1: the actor's transform mirrors, front and back are swapped
+#if defined(SSAO_LAYERS)
+#define SSAO_NONE 1.0e30
+uniform sampler2D ssaoLayersBefore; // first round: the captured geometry, later: the layers before
+uniform float ssaoFirstRound;       // 1 in the first round
+uniform vec2 ssaoTexelSize;         // 1 / size of that texture
+uniform float ssaoReach;            // how far behind the first surface layers matter, world units
+uniform float ssaoSheet;            // thickness of sprites, world units
+#endif

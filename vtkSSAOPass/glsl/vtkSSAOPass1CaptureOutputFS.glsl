@@ -26,11 +26,6 @@
 #elif defined(SSAO_EDGE_MIX)
     ssaoPart *= 1.0 - SSAO_EDGE_MIX;
 #endif
-#if defined(SSAO_SPRITE)
-    float ssaoDepth = ssaoDepthOfWindow(gl_FragDepth, ssaoDepthOfWindowRows);
-#else
-    float ssaoDepth = -vertexVC.z;
-#endif
     vec3 ssaoViewer = ssaoTowardsViewer(vertexVC.xyz, ssaoPerspective);
     vec3 ssaoNormal = normalVCVSOutput;
 #if defined(SSAO_IMPOSTOR)
@@ -46,7 +41,7 @@
       dot(ssaoNormal, ssaoViewer) < 0.0 && dot(ssaoNormal, ssaoFacet) < 0.0 ? -ssaoNormal : ssaoNormal;
     ssaoFacet = dot(ssaoNormal, ssaoFacet) < 0.0 ? ssaoNormal : ssaoFacet;
     gl_FragData[1] = vec4(ssaoDepth, ssaoPackNormal(normalize(ssaoNormal)),
-      ssaoPackNormal(ssaoFacet), ssaoAlpha < SSAO_OPAQUE ? 0.0 : 1.0);
+      ssaoPackFacet(ssaoFacet, ssaoFacing), ssaoAlpha < SSAO_OPAQUE ? 0.0 : 1.0);
     gl_FragData[2] = vec4(ssaoPart, ssaoAlpha);
     gl_FragData[3] = vec4(ssaoStored, ssaoAlpha);
   }

@@ -7,47 +7,24 @@
 //   center   the geometry there: (depth, packed normal, packed facet normal, 1)
 // Returns the visible share, 1 open. Samples outside the viewport are skipped.
 
-// Integral of the cosine about the projected normal from the view direction to the angle h, over
-// the slice's Jacobian |sin|; h and normalAngle are signed angles from the view direction, radians.
-float ssaoArcIntegral(float h, float normalAngle)
-{
-  return float(0.25) *
-    (cos(normalAngle) + float(2.0) * h * sin(normalAngle) - cos(float(2.0) * h - normalAngle));
-}
-
-// acos to within 0.00007 rad (Abramowitz and Stegun, 4.4.45).
-float ssaoArcCosine(float x)
-{
-  float a = min(abs(x), float(1.0));
-  float y = ((float(-0.0187293) * a + float(0.0742610)) * a - float(0.2121144)) * a +
-    float(1.5707288);
-  y *= sqrt(float(1.0) - a);
-  return x < float(0.0) ? float(3.14159265358979) - y : y;
-}
-
 // The largest cosine, against the view direction, of what is seen from a point to one side.
-//   start     pixel of the point;  step: pixels that the radius covers in the slice's direction
-//   jitter    in [0, 1): where in its interval each sample lies
-float ssaoHorizonCosine(vec2 pixel, vec2 reach, vec3 positionVC, vec3 facet, vec3 viewer,
-  float jitter, float lowest)
+//   reach    pixels that the radius covers on this side
+//   lowest   cosine of the lowest open angle
+float ssaoHorizonCosine(vec2 pixel, vec2 reach, float reachInPixels, float centerDepth,
+  vec2 centerRay, vec3 facet, vec3 viewer, float lowest, float jitter, int count)
 {
   float highest = lowest;
-  float reachInPixels = length(reach);
-  for (int i = 0; i < steps; ++i)
+  for (int i = 0; i < count; ++i)
   {
-    float t = (float(i) + jitter) / float(steps);
-    float share = max(t * t, float(1.3) / max(reachInPixels, float(1.3)));
-    vec2 at = floor(pixel + reach * share) + vec2(float(0.5), float(0.5));
-    bool known = at.x >= viewport.x && at.y >= viewport.y && at.x < viewport.x + viewport.z &&
-      at.y < viewport.y + viewport.w;
+    vec2 at = floor(pixel + reach * ssaoSampleShare(float(i) + jitter, float(count), reachInPixels)) +
+      vec2(float(0.5), float(0.5));
     float depth = ssaoGeometryAt(at).x;
-    vec3 offset =
-      ssaoPositionVC(at, depth, pixelToRay, rayOffset, depthSlope, perspective) - positionVC;
-    float squared = dot(offset, offset);
-    float inverse = inversesqrt(max(squared, float(1.0e-30)));
-    bool occludes = known && depth > float(0.0) && squared <= radius * radius &&
-      dot(facet, offset) * inverse > float(0.01);
-    highest = occludes ? max(highest, dot(offset, viewer) * inverse) : highest;
+    SsaoRay ray = ssaoRayOf(
+      ssaoTransform2(pixelToRay, at - pixel), centerDepth, centerRay, facet, viewer, perspective);
+    float t = depth - centerDepth;
+    bool known = ssaoIsInViewport(at, viewport) && depth > float(0.0) &&
+      ssaoSquaredDistance(ray, t) <= radius * radius;
+    highest = known ? max(highest, ssaoCosineAt(ray, t, lowest)) : highest;
   }
   return highest;
 }
@@ -56,45 +33,34 @@ float ssaoVisibility(vec2 pixel, vec4 center)
 {
   vec3 positionVC =
     ssaoPositionVC(pixel, center.x, pixelToRay, rayOffset, depthSlope, perspective);
+  vec2 centerRay = (ssaoTransform2(pixelToRay, pixel) + vec2(rayOffset.x, rayOffset.y)) * perspective +
+    depthSlope;
   vec3 normal = ssaoUnpackNormal(center.y);
-  vec3 facet = ssaoUnpackNormal(center.z);
+  vec3 facet = ssaoUnpackFacet(center.z);
   vec3 viewer = ssaoTowardsViewer(positionVC, perspective);
   vec3 across = normalize(cross(vec3(float(0.0), float(1.0), float(0.0)), viewer));
   vec3 up = cross(viewer, across);
   vec4 noise = ssaoNoiseAt(pixel);
+  vec2 turn = vec2(noise.z, noise.w);
   float visible = float(0.0);
   float open = float(0.0);
-  float halfPi = float(1.57079632679490);
   for (int i = 0; i < directions; ++i)
   {
-    float turn = (float(i) + noise.x) * float(3.14159265358979) / float(directions);
-    vec3 along = across * cos(turn) + up * sin(turn);
-    // The slice is spanned by along and viewer; its trace in the picture:
-    vec2 trace = perspective > float(0.5)
-      ? (vec2(along.x, along.y) * center.x + vec2(positionVC.x, positionVC.y) * along.z) /
-        (center.x * center.x)
-      : vec2(along.x, along.y);
-    vec2 reach = ssaoTransform2(rayToPixel, trace) * radius;
-    vec3 axis = cross(along, viewer);
-    vec3 projected = normal - axis * dot(normal, axis);
-    float projectedLength = length(projected);
-    vec3 projectedFacet = facet - axis * dot(facet, axis);
-    float normalAngle = (dot(projected, along) >= float(0.0) ? float(1.0) : float(-1.0)) *
-      ssaoArcCosine(dot(projected, viewer) / max(projectedLength, float(1.0e-6)));
-    float facetAngle = (dot(projectedFacet, along) >= float(0.0) ? float(1.0) : float(-1.0)) *
-      ssaoArcCosine(dot(projectedFacet, viewer) / max(length(projectedFacet), float(1.0e-6)));
-    float high = min(normalAngle, facetAngle) + halfPi;
-    float low = max(normalAngle, facetAngle) - halfPi;
-    float cosineHigh = ssaoHorizonCosine(
-      pixel, reach, positionVC, facet, viewer, noise.y, float(-1.0));
-    float cosineLow = ssaoHorizonCosine(
-      pixel, -reach, positionVC, facet, viewer, float(1.0) - noise.y, float(-1.0));
-    float horizonHigh = min(ssaoArcCosine(cosineHigh), high);
-    float horizonLow = max(-ssaoArcCosine(cosineLow), low);
-    visible += projectedLength *
-      (ssaoArcIntegral(horizonHigh, normalAngle) + ssaoArcIntegral(horizonLow, normalAngle));
-    open += projectedLength *
-      (ssaoArcIntegral(high, normalAngle) + ssaoArcIntegral(low, normalAngle));
+    SsaoSlice slice = ssaoSlice(across, up, viewer, normal, facet, turn);
+    turn = ssaoTurned(turn, sliceTurn);
+    vec2 reach = ssaoTrace(slice, positionVC, rayToPixel, perspective) * radius;
+    float reachInPixels = length(reach);
+    int count = min(steps, int(ceil(reachInPixels)));
+    float ahead = ssaoHorizonCosine(pixel, reach, reachInPixels, center.x, centerRay, facet, viewer,
+      slice.lowestAhead, noise.y, count);
+    float behind = ssaoHorizonCosine(pixel, -reach, reachInPixels, center.x, centerRay, facet, viewer,
+      slice.lowestBehind, noise.y, count);
+    visible += slice.weight *
+      (ssaoArcMeasure(ahead, slice.normalCosine, slice.normalSine) +
+        ssaoArcMeasure(behind, slice.normalCosine, -slice.normalSine));
+    open += slice.weight *
+      (ssaoArcMeasure(slice.lowestAhead, slice.normalCosine, slice.normalSine) +
+        ssaoArcMeasure(slice.lowestBehind, slice.normalCosine, -slice.normalSine));
   }
-  return open > float(1.0e-6) ? clamp(visible / open, float(0.0), float(1.0)) : float(1.0);
+  return open > float(0.000001) ? clamp(visible / open, float(0.0), float(1.0)) : float(1.0);
 }

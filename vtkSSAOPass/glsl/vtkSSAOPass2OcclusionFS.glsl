@@ -1,7 +1,7 @@
 //VTK::System::Dec
 //VTK::Output::Dec
 
-// Stage 2: geometry to raw ambient visibility, one value per pixel.
+// Stage 2: geometry to (raw ambient visibility, depth); the depth is for the denoiser.
 
 //SSAO::Functions
 //SSAO::View
@@ -14,10 +14,15 @@ uniform int halfRule;            // CrytekSphere, 1: only what is hidden beyond 
 uniform float minimumDifference; // ReflectedHemisphere: share of the radius
 uniform float falloffExponent;   // ReflectedHemisphere
 uniform int falloff;             // ReflectedHemisphere: FalloffType of the public class
-uniform int directions;          // HorizonAngle
-uniform int steps;               // HorizonAngle: samples for each direction
+uniform int directions;          // HorizonAngle; ExactHorizon, LayeredBitmask: slices
+uniform int steps;               // of these: samples for each direction or side of a slice
 uniform vec2 angleBias;          // HorizonAngle: (cos, sin)
-uniform float noiseSize;         // edge of the noise tile in pixels
+uniform sampler2D solids;        // LayeredBitmask: (front, back, front, back) of each ray's stretches
+uniform sampler2D moreSolids;    // LayeredBitmask: the third and fourth stretch
+uniform float sheet;             // LayeredBitmask: thickness of what has no back, world units
+uniform vec2 sliceTurn;          // ExactHorizon, LayeredBitmask: (cos, sin) from slice to slice
+uniform float downsampling;      // edge in pixels of the squares of which one pixel is estimated
+uniform float noiseSize;         // edge of the noise tile in estimated pixels
 uniform sampler2D kernelTexture; // kernelSize x 1: the estimator's sample points, lengths up to 1
 uniform sampler2D noiseTexture;  // noiseSize x noiseSize: see vtkSSAONoiseTile
 
@@ -27,18 +32,33 @@ vec3 ssaoKernelAt(int index)
 }
 
 // The random numbers of a pixel: (turn, second number, cos and sin of the turn), the first two
-// from 0 to 1. The tile starts at the viewport's corner, so that the picture does not depend on
-// where the viewport lies.
+// from 0 to 1; for ExactHorizon and LayeredBitmask cos and sin are of the first slice's angle. The
+// tile starts at the viewport's corner, so that the picture does not depend on where the viewport
+// lies.
 vec4 ssaoNoiseAt(vec2 pixel)
 {
-  return textureLod(noiseTexture, (pixel - viewport.xy) / noiseSize, 0.0);
+  return textureLod(noiseTexture, (pixel - viewport.xy) / (noiseSize * downsampling), 0.0);
+}
+
+// LayeredBitmask: the stretches of a pixel's ray inside solids, (front, back, front, back); 0: none.
+vec4 ssaoSolidsAt(vec2 pixel)
+{
+  return textureLod(solids, pixel * texelSize, 0.0);
+}
+
+vec4 ssaoMoreSolidsAt(vec2 pixel)
+{
+  return textureLod(moreSolids, pixel * texelSize, 0.0);
 }
 
 //SSAO::Estimator
 
 void main()
 {
-  vec4 center = ssaoGeometryAt(gl_FragCoord.xy);
-  float visibility = center.x > 0.0 ? ssaoVisibility(gl_FragCoord.xy, center) : 1.0;
-  gl_FragData[0] = vec4(visibility, 0.0, 0.0, 1.0);
+  vec2 pixel = downsampling > 1.0
+    ? viewport.xy + downsampling * floor(gl_FragCoord.xy) + 0.5
+    : gl_FragCoord.xy;
+  vec4 center = ssaoGeometryAt(pixel);
+  float visibility = center.x > 0.0 ? ssaoVisibility(pixel, center) : 1.0;
+  gl_FragData[0] = vec4(visibility, center.x, 0.0, 1.0);
 }

@@ -1,51 +1,42 @@
 //VTK::System::Dec
 //VTK::Output::Dec
 
-// Stage 3, denoiser EdgeAware: the mean over one rotation tile, centred, of the pixels that lie on
-// the same surface. With an even tile the outermost rows count half, so that each rotation of the
-// tile has the same weight and its pattern cancels.
+// Stage 3, denoiser EdgeAware: the mean over one rotation tile, centred, of the estimated pixels that
+// lie on the same surface, by their distance from the facet's plane. With an even tile the outermost
+// rows count half, so that each rotation of the tile has the same weight and its pattern cancels.
 
 //SSAO::Functions
 //SSAO::View
 
-uniform sampler2D visibility; // raw ambient visibility
-uniform int noiseSize;        // edge of the rotation tile in pixels
+uniform sampler2D visibility; // (raw ambient visibility, depth) of the estimated pixels
+uniform vec2 coarseTexelSize; // 1 / size of that texture
+uniform float downsampling;   // edge of the squares in pixels of which the first is estimated
+uniform int noiseSize;        // edge of the rotation tile in estimated pixels
 
 void main()
 {
-  vec2 pixel = gl_FragCoord.xy;
-  vec4 center = ssaoGeometryAt(pixel);
-  float result = 1.0;
-  if (center.x > 0.0)
+  vec2 corner = downsampling > 1.0 ? vec2(0.0) : viewport.xy;
+  vec2 last = corner + ceil(viewport.zw / downsampling) - 0.5;
+  vec2 pixel = viewport.xy + downsampling * (gl_FragCoord.xy - 0.5 - corner) + 0.5;
+  vec2 center = textureLod(visibility, gl_FragCoord.xy * coarseTexelSize, 0.0).xy;
+  SsaoPlane plane = ssaoPlaneThrough(ssaoUnpackFacet(ssaoGeometryAt(pixel).z), pixel, center.y,
+    pixelToRay, rayOffset, depthSlope, perspective);
+  float reach = float(noiseSize / 2);
+  float border = noiseSize % 2 == 0 ? 0.5 : 1.0;
+  float sum = 0.0;
+  float weights = 0.0;
+  for (float j = -reach; j <= reach; j += 1.0)
   {
-    vec3 positionVC =
-      ssaoPositionVC(pixel, center.x, pixelToRay, rayOffset, depthSlope, perspective);
-    vec3 normal = ssaoUnpackNormal(center.y);
-    float footprint = length(vec2(pixelToRay.x, pixelToRay.z)) *
-      (perspective > 0.5 ? center.x : 1.0);
-    int reach = noiseSize / 2;
-    float border = noiseSize % 2 == 0 ? 0.5 : 1.0;
-    float sum = 0.0;
-    float weights = 0.0;
-    for (int j = -reach; j <= reach; ++j)
+    float rowWeight = abs(j) == reach ? border : 1.0;
+    for (float i = -reach; i <= reach; i += 1.0)
     {
-      for (int i = -reach; i <= reach; ++i)
-      {
-        vec2 at = pixel + vec2(i, j);
-        bool inside = at.x >= viewport.x && at.y >= viewport.y &&
-          at.x < viewport.x + viewport.z && at.y < viewport.y + viewport.w;
-        vec4 neighbour = ssaoGeometryAt(at);
-        vec3 neighbourVC =
-          ssaoPositionVC(at, neighbour.x, pixelToRay, rayOffset, depthSlope, perspective);
-        float weight = (abs(i) == reach ? border : 1.0) * (abs(j) == reach ? border : 1.0) *
-          ssaoPlaneWeight(neighbourVC - positionVC, normal, footprint) *
-          ssaoNormalWeight(normal, ssaoUnpackNormal(neighbour.y));
-        weight = inside && neighbour.x > 0.0 ? weight : 0.0;
-        sum += weight * textureLod(visibility, at * texelSize, 0.0).x;
-        weights += weight;
-      }
+      vec2 at = clamp(gl_FragCoord.xy + vec2(i, j), corner + 0.5, last);
+      vec2 neighbour = textureLod(visibility, at * coarseTexelSize, 0.0).xy;
+      float weight = (abs(i) == reach ? border : 1.0) * rowWeight *
+        ssaoPlaneWeight(plane, neighbour.y, (at - gl_FragCoord.xy) * downsampling);
+      sum += weight * neighbour.x;
+      weights += weight;
     }
-    result = sum / weights;
   }
-  gl_FragData[0] = vec4(result, 0.0, 0.0, 1.0);
+  gl_FragData[0] = vec4(center.y > 0.0 ? sum / weights : 1.0, center.y, 0.0, 1.0);
 }

@@ -1,0 +1,26 @@
+  // Instead of the picture, as a front and as a back: -depth and, within reach of the first surface,
+  // depth, beyond it -depth again. Blending keeps the largest of each, so that of fronts and backs the
+  // nearest and the farthest within reach remain, or, if none is within reach, the next.
+#if defined(SSAO_LIT)
+  {
+    vec4 ssaoKnown = textureLod(ssaoLayersBefore, gl_FragCoord.xy * ssaoTexelSize, 0.0);
+    // In the first round: behind the first surface; then between what is known.
+    vec4 ssaoBounds = ssaoFirstRound > 0.5
+      ? vec4(ssaoKnown.x, SSAO_NONE, ssaoKnown.x, SSAO_NONE)
+      : vec4(-ssaoKnown.x, abs(ssaoKnown.y), -ssaoKnown.z, abs(ssaoKnown.w));
+#if defined(SSAO_IMPOSTOR)
+    vec2 ssaoEnds = vec2(ssaoDepth, ssaoExit);
+#else
+    vec2 ssaoEnds = vec2(ssaoFacing > 0.0 ? ssaoDepth : SSAO_NONE, ssaoFacing > 0.0 ? SSAO_NONE : ssaoDepth);
+#endif
+    bool ssaoIsFront = ssaoEnds.x > ssaoBounds.x && ssaoEnds.x < ssaoBounds.y;
+    bool ssaoIsBack = ssaoEnds.y > ssaoBounds.z && ssaoEnds.y < ssaoBounds.w;
+    vec2 ssaoLimit = vec2(ssaoBounds.x, ssaoBounds.z) + ssaoReach;
+    vec2 ssaoFar = vec2(ssaoEnds.x < ssaoLimit.x ? ssaoEnds.x : -ssaoEnds.x,
+      ssaoEnds.y < ssaoLimit.y ? ssaoEnds.y : -ssaoEnds.y);
+    gl_FragData[0] = vec4(ssaoIsFront ? vec2(-ssaoEnds.x, ssaoFar.x) : vec2(-SSAO_NONE),
+      ssaoIsBack ? vec2(-ssaoEnds.y, ssaoFar.y) : vec2(-SSAO_NONE));
+  }
+#else
+  gl_FragData[0] = vec4(-SSAO_NONE);
+#endif

@@ -1,0 +1,164 @@
+// Stage 2, estimator LayeredBitmask. As in ExactHorizon the hemisphere is cut into slices through the
+// view direction, but what a sample's ray meets is known behind its first surface too: stretches
+// inside solids. Each is cut by the ball of the radius, joined with the stretch of the sample before
+// if both lie on one surface, and marks the sectors of its side of the slice that it hides: 30 with
+// equal cosine-weighted measure (after Therrien, Levesque, Gilet, "Screen Space Indirect Lighting
+// with Visibility Bitmask", 2023, whose sectors are equal in angle and whose thickness is constant).
+// With one contiguous arc to either side the result is that of ExactHorizon.
+//   pixel    position in the framebuffer
+//   center   the geometry there: (depth, packed normal, packed facet normal, 1)
+// Returns the visible share, 1 open. Samples outside the viewport are skipped.
+
+int ssaoNumberOfSectors(int sectors)
+{
+  int pairs = sectors - ((sectors >> 1) & 0x55555555);
+  int fours = (pairs & 0x33333333) + ((pairs >> 2) & 0x33333333);
+  int eights = (fours + (fours >> 4)) & 0x0F0F0F0F;
+  int sixteens = eights + (eights >> 8);
+  return (sixteens + (sixteens >> 16)) & 63;
+}
+
+// What a stretch of a sample's ray hides: (front, largest cosine, smallest cosine), the front -1e30 if
+// it lies outside the ball of the radius.
+//   stretch      depths of its ends, 0: none
+//   centerDepth  the point's;  ball: where the ray enters and leaves the ball, less centerDepth
+vec3 ssaoHiddenArc(SsaoRay ray, vec2 stretch, float centerDepth, vec2 ball, float lowest)
+{
+  float low = max(stretch.x - centerDepth, ball.x);
+  float high = min(stretch.y - centerDepth, ball.y);
+  float front = ssaoCosineAt(ray, low, lowest);
+  float back = ssaoCosineAt(ray, high, lowest);
+  return vec3(stretch.x > float(0.0) && low < high ? stretch.x : float(-1.0e30), max(front, back),
+    min(front, back));
+}
+
+// An arc grown by that of the sample before if their fronts lie on one surface.
+vec3 ssaoJoin(vec3 arc, vec3 before, float reach)
+{
+  bool joins = abs(arc.x - before.x) < reach;
+  return vec3(
+    arc.x, joins ? max(arc.y, before.y) : arc.y, joins ? min(arc.z, before.z) : arc.z);
+}
+
+// The sectors of an arc. dither: from 0 to 1, how its ends are rounded.
+int ssaoSectorsOf(
+  vec3 arc, float normalCosine, float normalSine, float sectorsPerMeasure, float dither)
+{
+  float first = ssaoArcMeasureNear(arc.y, normalCosine, normalSine) * sectorsPerMeasure + dither;
+  float end = ssaoArcMeasureNear(arc.z, normalCosine, normalSine) * sectorsPerMeasure + dither;
+  return arc.x > float(0.0) ? (1 << int(end)) - (1 << int(first)) : 0;
+}
+
+// What is known of one side of a slice.
+struct SsaoSide
+{
+  vec2 reach;             // pixels that the radius covers
+  float lowest;           // cosine of the lowest open angle
+  float normalSine;       // of the projected normal's angle, positive where it leans to this side
+  float sectorsPerMeasure;
+  int hidden;             // sectors, as bits
+  vec3 first;             // the arcs of the sample before
+  vec3 second;
+  vec3 third;
+};
+
+SsaoSide ssaoSide(vec2 reach, float lowest, float normalCosine, float normalSine, float centerDepth)
+{
+  SsaoSide side;
+  side.reach = reach;
+  side.lowest = lowest;
+  side.normalSine = normalSine;
+  side.sectorsPerMeasure =
+    float(30.0) / max(ssaoArcMeasureNear(lowest, normalCosine, normalSine), float(0.000001));
+  side.hidden = 0;
+  // At first the surface itself, on the horizon.
+  side.first = vec3(centerDepth, lowest, lowest);
+  side.second = vec3(float(-1.0e30), lowest, lowest);
+  side.third = side.second;
+  return side;
+}
+
+// Marks what a sample hides.
+//   share    of the radius at which it is taken;  join: fronts nearer than this lie on one surface
+//   jitter   from 0 to 1: how arcs are rounded
+SsaoSide ssaoTakeSample(SsaoSide side, vec2 pixel, float share, float join, vec4 center,
+  vec2 centerRay, vec3 facet, vec3 viewer, float normalCosine, float jitter)
+{
+  vec2 at = floor(pixel + side.reach * share) + vec2(float(0.5), float(0.5));
+  SsaoRay ray = ssaoRayOf(
+    ssaoTransform2(pixelToRay, at - pixel), center.x, centerRay, facet, viewer, perspective);
+  float inverse = float(1.0) / ray.squares.z;
+  float middle = -ray.squares.y * inverse;
+  float squaredHalf = (radius * radius - ray.squares.x) * inverse + middle * middle;
+  float halfLength = ssaoIsInViewport(at, viewport) ? sqrt(max(squaredHalf, float(0.0))) : float(0.0);
+  vec2 ball = vec2(middle - halfLength, middle + halfLength);
+  SsaoStretches solids =
+    ssaoStretchesSeen(ssaoSolidsAt(at), ssaoMoreSolidsAt(at), ssaoUnpackFacing(center.z), sheet);
+  vec3 first = ssaoHiddenArc(ray, solids.first, center.x, ball, side.lowest);
+  vec3 second = ssaoHiddenArc(ray, solids.second, center.x, ball, side.lowest);
+  vec3 third = ssaoHiddenArc(ray, solids.third, center.x, ball, side.lowest);
+  // A surface may have come in front of one that goes on, or have ended there.
+  vec3 firstJoined = ssaoJoin(ssaoJoin(first, side.first, join), side.second, join);
+  vec3 secondJoined = ssaoJoin(ssaoJoin(second, side.first, join), side.second, join);
+  vec3 thirdJoined = ssaoJoin(third, side.third, join);
+  SsaoSide result = side;
+  result.hidden = side.hidden |
+    ssaoSectorsOf(firstJoined, normalCosine, side.normalSine, side.sectorsPerMeasure, jitter) |
+    ssaoSectorsOf(secondJoined, normalCosine, side.normalSine, side.sectorsPerMeasure, jitter) |
+    ssaoSectorsOf(thirdJoined, normalCosine, side.normalSine, side.sectorsPerMeasure, jitter);
+  result.first = first;
+  result.second = second;
+  result.third = third;
+  return result;
+}
+
+// The measure of what is seen on a side.
+float ssaoVisibleMeasure(SsaoSide side)
+{
+  return (float(30.0) - float(ssaoNumberOfSectors(side.hidden))) / side.sectorsPerMeasure;
+}
+
+float ssaoVisibility(vec2 pixel, vec4 center)
+{
+  vec3 positionVC =
+    ssaoPositionVC(pixel, center.x, pixelToRay, rayOffset, depthSlope, perspective);
+  vec2 centerRay = (ssaoTransform2(pixelToRay, pixel) + vec2(rayOffset.x, rayOffset.y)) * perspective +
+    depthSlope;
+  vec3 normal = ssaoUnpackNormal(center.y);
+  vec3 facet = ssaoUnpackFacet(center.z);
+  vec3 viewer = ssaoTowardsViewer(positionVC, perspective);
+  vec3 across = normalize(cross(vec3(float(0.0), float(1.0), float(0.0)), viewer));
+  vec3 up = cross(viewer, across);
+  vec4 noise = ssaoNoiseAt(pixel);
+  vec2 turn = vec2(noise.z, noise.w);
+  float footprint = length(vec2(pixelToRay.x, pixelToRay.z)) *
+    (perspective * center.x + (float(1.0) - perspective));
+  float visible = float(0.0);
+  float open = float(0.0);
+  float sign = float(1.0);
+  // Both sides of all slices in one loop, which keeps the program small: software rasterisers pay for
+  // its length.
+  for (int i = 0; i < 2 * directions; ++i)
+  {
+    SsaoSlice slice = ssaoSlice(across, up, viewer, normal, facet, turn);
+    vec2 reach = ssaoTrace(slice, positionVC, rayToPixel, perspective) * radius;
+    float reachInPixels = length(reach);
+    SsaoSide side = ssaoSide(reach * sign, sign > float(0.0) ? slice.lowestAhead : slice.lowestBehind,
+      slice.normalCosine, slice.normalSine * sign, center.x);
+    float shareBefore = float(0.0);
+    int count = min(steps, int(ceil(reachInPixels)));
+    for (int j = 0; j < count; ++j)
+    {
+      float share = ssaoSampleShare(float(j) + noise.y, float(count), reachInPixels);
+      float join = float(4.0) * max((share - shareBefore) * radius, footprint);
+      shareBefore = share;
+      side = ssaoTakeSample(
+        side, pixel, share, join, center, centerRay, facet, viewer, slice.normalCosine, noise.y);
+    }
+    visible += slice.weight * ssaoVisibleMeasure(side);
+    open += slice.weight * float(30.0) / side.sectorsPerMeasure;
+    turn = sign > float(0.0) ? turn : ssaoTurned(turn, sliceTurn);
+    sign = -sign;
+  }
+  return open > float(0.000001) ? clamp(visible / open, float(0.0), float(1.0)) : float(1.0);
+}

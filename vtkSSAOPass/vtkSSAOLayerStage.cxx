@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSSAOLayerStage.h"
+
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkSSAOCapturePass.h"
+#include "vtkSSAOOpenGL.h"
+#include "vtkSSAOPass0Functions.h"
+#include "vtkSSAOPass0SliceFunctions.h"
+#include "vtkSSAOPass1SolidsFS.h"
+#include "vtkSSAOView.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+#include <string>
+
+namespace
+{
+//------------------------------------------------------------------------------
+// How far behind the first surface the farthest layers are looked for, world units. With one round
+// they are of more use near the first surface: of 0.5 to 100 radii, 2 had the least error.
+double Reach(const vtkSSAOLayerSettings& settings)
+{
+  return settings.Layers > 5 ? 1.0e30 : 2.0 * settings.Radius;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkSSAOLayerStage::vtkSSAOLayerStage() = default;
+
+//------------------------------------------------------------------------------
+vtkSSAOLayerStage::~vtkSSAOLayerStage() = default;
+
+//------------------------------------------------------------------------------
+void vtkSSAOLayerStage::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->vtkSSAOFullScreenStage::ReleaseGraphicsResources(window);
+  this->LayerFramebuffer->ReleaseGraphicsResources(window);
+  for (auto& layers : this->Layers)
+  {
+    Release(layers, window);
+  }
+  Release(this->Solids, window);
+  Release(this->MoreSolids, window);
+}
+
+//------------------------------------------------------------------------------
+unsigned long vtkSSAOLayerStage::GetTextureMemory() const
+{
+  unsigned long bytes = GetBytes(this->Solids) + GetBytes(this->MoreSolids);
+  for (const auto& layers : this->Layers)
+  {
+    bytes += GetBytes(layers);
+  }
+  return bytes;
+}
+
+//------------------------------------------------------------------------------
+bool vtkSSAOLayerStage::Render(const vtkRenderState* s, const vtkSSAOView& view,
+  vtkSSAOCapturePass* capture, const vtkSSAOLayerSettings& settings, vtkTextureObject* geometry)
+{
+  const int rounds = (settings.Layers + 2) / 4;
+  vtkTextureObject* before = geometry;
+  for (this->Rounds = 0; this->Rounds < rounds; ++this->Rounds)
+  {
+    if (!this->DrawRound(s, view, capture, settings, this->Rounds, before))
+    {
+      return false;
+    }
+    before = this->Layers[this->Rounds];
+  }
+  for (int i = rounds; i < MostRounds; ++i)
+  {
+    this->Layers[i] = nullptr;
+  }
+  return this->FindSolids(view, settings, geometry);
+}
+
+//------------------------------------------------------------------------------
+bool vtkSSAOLayerStage::DrawRound(const vtkRenderState* s, const vtkSSAOView& view,
+  vtkSSAOCapturePass* capture, const vtkSSAOLayerSettings& settings, int round,
+  vtkTextureObject* before)
+{
+  vtkSmartPointer<vtkTextureObject>& layers = this->Layers[round];
+  const glm::ivec2 size = view.TextureSize;
+  if (!layers)
+  {
+    layers = NewTexture(view.Window, size.x, size.y, 4, 0);
+  }
+  layers->Resize(size.x, size.y);
+
+  vtkOpenGLState* state = view.Window->GetState();
+  state->PushFramebufferBindings();
+  this->LayerFramebuffer->SetContext(view.Window);
+  this->LayerFramebuffer->Bind();
+  this->LayerFramebuffer->AddColorAttachment(0, layers);
+  this->LayerFramebuffer->ActivateDrawBuffers(1);
+  const char* description = nullptr;
+  const bool complete =
+    vtkOpenGLFramebufferObject::GetFrameBufferStatus(GL_FRAMEBUFFER, description) != 0;
+  if (complete)
+  {
+    constexpr float none = -1.0e30F;
+    vtkOpenGLState::ScopedglClearColor clearColorSaver(state);
+    vtkOpenGLState::ScopedglColorMask colorMaskSaver(state);
+    vtkOpenGLState::ScopedglEnableDisable blendSaver(state, GL_BLEND);
+    state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    state->vtkglClearColor(none, none, none, none);
+    state->vtkglClear(GL_COLOR_BUFFER_BIT);
+    state->vtkglEnable(GL_BLEND);
+    state->vtkglBlendEquation(GL_MAX);
+    capture->DrawLayers(s, view, before, round == 0, settings.Sheet, Reach(settings));
+    state->vtkglBlendEquation(GL_FUNC_ADD);
+  }
+  this->LayerFramebuffer->RemoveColorAttachment(0);
+  state->PopFramebufferBindings();
+  return complete;
+}
+
+//------------------------------------------------------------------------------
+bool vtkSSAOLayerStage::FindSolids(
+  const vtkSSAOView& view, const vtkSSAOLayerSettings& settings, vtkTextureObject* geometry)
+{
+  std::string source = vtkSSAOPass1SolidsFS;
+  vtkShaderProgram::Substitute(
+    source, "//SSAO::Functions", std::string(vtkSSAOPass0Functions) + vtkSSAOPass0SliceFunctions);
+  vtkShaderProgram::Substitute(source, "SSAO_LAYERS", this->Rounds > 1 ? "9" : "5");
+  vtkShaderProgram* program = this->UseProgram(view.Window, source);
+  if (!program)
+  {
+    return false;
+  }
+  // A sampler that is not used still needs a texture of its type.
+  vtkTextureObject* outer = this->Rounds > 0 ? this->Layers[0].Get() : geometry;
+  vtkTextureObject* inner = this->Rounds > 1 ? this->Layers[1].Get() : outer;
+  vtkTextureObject* inputs[] = { geometry, outer, inner };
+  for (vtkTextureObject* input : inputs)
+  {
+    input->Activate();
+  }
+  const float texelSize[2] = { 1.0F / view.TextureSize.x, 1.0F / view.TextureSize.y };
+  program->SetUniformi("geometry", geometry->GetTextureUnit());
+  program->SetUniformi("layers", outer->GetTextureUnit());
+  program->SetUniformi("inner", inner->GetTextureUnit());
+  program->SetUniform2f("texelSize", texelSize);
+  program->SetUniformi("rounds", this->Rounds);
+  program->SetUniformf("reach", static_cast<float>(Reach(settings)));
+  program->SetUniformf("sheet", static_cast<float>(settings.Sheet));
+  program->SetUniformi("sheetsOnly", settings.SheetsOnly ? 1 : 0);
+
+  const bool drawn = this->DrawToTextures(view, 4, { &this->Solids, &this->MoreSolids });
+  for (vtkTextureObject* input : inputs)
+  {
+    input->Deactivate();
+  }
+  return drawn;
+}

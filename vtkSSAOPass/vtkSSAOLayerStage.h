@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSSAOLayerStage
+ * @brief   Between stages 1 and 2: what lies behind the first surface, for estimators that ask.
+ *
+ * The captured props are drawn again without lighting and depth test, and blending keeps of what
+ * lies behind the first surface the nearest front, the farthest front, the nearest back and the
+ * farthest back of each pixel: four layers in one drawing. A second drawing gives the four between
+ * these (after Bavoil, Myers, "Order Independent Transparency with Dual Depth Peeling", 2008). Then
+ * the layers of each pixel become the stretches of its ray that lie inside solids, see ssaoAddLayer
+ * in glsl/vtkSSAOPass0SliceFunctions.glsl.
+ */
+
+#ifndef vtkSSAOLayerStage_h
+#define vtkSSAOLayerStage_h
+
+#include "vtkSSAOFullScreenStage.h"
+
+#include <array>
+
+class vtkRenderState;
+class vtkSSAOCapturePass;
+
+/// What the stage needs to know.
+struct vtkSSAOLayerSettings
+{
+  int Layers = 5;          ///< the first surface included, up to vtkSSAOLayerStage::MostLayers
+  double Radius = 1.0;     ///< of the estimator, world units
+  double Sheet = 0.0;      ///< thickness of what has no known back, world units
+  bool SheetsOnly = false; ///< every surface has that thickness
+};
+
+class vtkSSAOLayerStage : public vtkSSAOFullScreenStage
+{
+public:
+  static constexpr int MostLayers = 9;
+
+  vtkSSAOLayerStage();
+  ~vtkSSAOLayerStage() override;
+
+  /**
+   * Draws the layers behind the geometry that was captured, and the solids. False on failure.
+   */
+  bool Render(const vtkRenderState* s, const vtkSSAOView& view, vtkSSAOCapturePass* capture,
+    const vtkSSAOLayerSettings& settings, vtkTextureObject* geometry);
+
+  /**
+   * Stretches (front, back, front, back) of each pixel's ray, twice as high as the view: the upper
+   * half is for surfaces that show their back.
+   */
+  vtkTextureObject* GetSolids() const { return this->Solids; }
+
+  /**
+   * The third and fourth stretch.
+   */
+  vtkTextureObject* GetMoreSolids() const { return this->MoreSolids; }
+
+  /**
+   * How often the props were drawn in the last render.
+   */
+  int GetNumberOfRounds() const { return this->Rounds; }
+
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+  unsigned long GetTextureMemory() const override;
+
+private:
+  bool DrawRound(const vtkRenderState* s, const vtkSSAOView& view, vtkSSAOCapturePass* capture,
+    const vtkSSAOLayerSettings& settings, int round, vtkTextureObject* before);
+  bool FindSolids(
+    const vtkSSAOView& view, const vtkSSAOLayerSettings& settings, vtkTextureObject* geometry);
+
+  static constexpr int MostRounds = (MostLayers - 1) / 4;
+  std::array<vtkSmartPointer<vtkTextureObject>, MostRounds> Layers;
+  vtkSmartPointer<vtkTextureObject> Solids;
+  vtkSmartPointer<vtkTextureObject> MoreSolids;
+  vtkNew<vtkOpenGLFramebufferObject> LayerFramebuffer;
+  int Rounds = 0;
+};
+
+#endif
