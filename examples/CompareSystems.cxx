@@ -85,6 +85,18 @@ std::function<vtkSmartPointer<vtkImageProcessingPass>(double)> NewPass(
   };
 }
 
+std::function<vtkSmartPointer<vtkImageProcessingPass>(double)> NewPreset(void (Pass::*set)())
+{
+  return [=](double radius)
+  {
+    auto pass = vtkSmartPointer<Pass>::New();
+    pass->SetRadius(radius);
+    (pass->*set)();
+    pass->SetOutputModeToOcclusion();
+    return pass;
+  };
+}
+
 /// A line for each system.
 std::vector<System> Systems()
 {
@@ -102,8 +114,11 @@ std::vector<System> Systems()
       NewPass(Pass::ReflectedHemisphere, 14, Pass::SeparableGaussian) },
     { "HorizonAngle (HBAO)", "6 x 4 samples, Gaussian",
       NewPass(Pass::HorizonAngle, 24, Pass::SeparableGaussian) },
-    { "the default of this pass", "Hemisphere, 32 points, edge-aware",
-      NewPass(Pass::Hemisphere, 32, Pass::EdgeAware) },
+    { "Hemisphere, edge-aware", "32 points", NewPass(Pass::Hemisphere, 32, Pass::EdgeAware) },
+    { "Fast: ExactHorizon", "1 slice of 16, a quarter of the pixels",
+      NewPreset(&Pass::SetQualityToFast) },
+    { "Balanced, the default: LayeredBitmask", "2 slices of 12, a quarter of the pixels",
+      NewPreset(&Pass::SetQualityToBalanced) },
   };
 }
 

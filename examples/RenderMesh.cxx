@@ -48,7 +48,8 @@ const Choices Qualities = { { "fast", 0 }, { "balanced", 1 }, { "accurate", 2 } 
 const Choices Estimators = { { "crytek-sphere", Pass::CrytekSphere },
   { "position-sphere", Pass::PositionSphere }, { "depth-sphere", Pass::DepthSphere },
   { "hemisphere", Pass::Hemisphere }, { "hemisphere-linear-depth", Pass::HemisphereLinearDepth },
-  { "reflected-hemisphere", Pass::ReflectedHemisphere }, { "horizon-angle", Pass::HorizonAngle } };
+  { "reflected-hemisphere", Pass::ReflectedHemisphere }, { "horizon-angle", Pass::HorizonAngle },
+  { "exact-horizon", Pass::ExactHorizon }, { "layered-bitmask", Pass::LayeredBitmask } };
 const Choices Denoisers = { { "none", Pass::None }, { "box", Pass::Box },
   { "box-centered", Pass::BoxCentered }, { "separable-gaussian", Pass::SeparableGaussian },
   { "edge-aware", Pass::EdgeAware } };
@@ -165,7 +166,7 @@ std::vector<Option> PassOptions(Pass* pass)
   return {
     { "Ambient occlusion", "", {}, "", "" },
     { "--quality", "NAME", Choice(Qualities, setQuality),
-      "Preset of estimator, kernel size and denoiser; each may be changed.", "balanced" },
+      "Preset of estimator, samples, layers and denoiser; each may be changed.", "balanced" },
     { "--estimator", "NAME", Choice(Estimators, [=](int e) { pass->SetEstimator(e); }),
       "How ambient visibility is estimated.", preset },
     { "--radius", "R", Number(0.0, Infinity, [=](double r) { pass->SetRadius(r); }),
@@ -173,11 +174,19 @@ std::vector<Option> PassOptions(Pass* pass)
       "diagonal.",
       Text(pass->GetRadius()) },
     { "--kernel-size", "N", Whole(1, 1024, [=](int n) { pass->SetKernelSize(n); }),
-      "Samples per pixel.", preset },
+      "Samples per pixel; where there are directions, as directions and steps.",
+      Text(pass->GetKernelSize()) },
     { "--directions", "N", Whole(1, 64, [=](int n) { pass->SetDirections(n); }),
-      "Directions about a pixel, with horizon-angle.", Text(pass->GetDirections()) },
+      "Directions about a pixel, with horizon-angle, or slices, with exact-horizon and "
+      "layered-bitmask.",
+      preset },
     { "--steps", "N", Whole(1, 64, [=](int n) { pass->SetSteps(n); }),
-      "Samples in each direction, with horizon-angle.", Text(pass->GetSteps()) },
+      "Samples in each direction or to either side of a slice.", preset },
+    { "--layers", "N", Whole(1, 9, [=](int n) { pass->SetLayers(n); }),
+      "Surfaces behind each other that are known, with layered-bitmask.", preset },
+    { "--thickness", "T", Number(0.0, Infinity, [=](double t) { pass->SetThickness(t); }),
+      "Thickness of every surface, world units, with layered-bitmask; 0: from the layers.",
+      Text(pass->GetThickness()) },
     { "--angle-bias", "DEG", Number(0.0, 89.0, [=](double a) { pass->SetAngleBias(a); }),
       "Elevation below which nothing occludes, degrees, with horizon-angle.",
       Text(pass->GetAngleBias()) },
@@ -196,7 +205,9 @@ std::vector<Option> PassOptions(Pass* pass)
       "How the weight falls with distance, with reflected-hemisphere.",
       NameOf(Falloffs, pass->GetFalloff()) },
     { "--noise-size", "N", Whole(1, 64, [=](int n) { pass->SetNoiseSize(n); }),
-      "Edge of the tile of random rotations, pixels.", Text(pass->GetNoiseSize()) },
+      "Edge of the tile of random rotations, pixels.", preset },
+    { "--downsampling", "N", Whole(1, 4, [=](int n) { pass->SetDownsampling(n); }),
+      "One pixel of N x N is estimated, the others interpolated, with edge-aware.", preset },
     { "--bias", "B", { "0 or more, or auto", setBias },
       "How far a surface lies in front of a sample that it hides, world units; auto is 0.05 of "
       "the radius for hemisphere, else 0.",

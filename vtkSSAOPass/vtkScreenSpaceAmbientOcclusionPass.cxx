@@ -685,19 +685,19 @@ void vtkScreenSpaceAmbientOcclusionPass::SetQuality(
 //------------------------------------------------------------------------------
 void vtkScreenSpaceAmbientOcclusionPass::SetQualityToFast()
 {
-  this->SetQuality(ExactHorizon, 1, 8, 3, 2);
+  this->SetQuality(ExactHorizon, 1, 8, 4, 2);
 }
 
 //------------------------------------------------------------------------------
 void vtkScreenSpaceAmbientOcclusionPass::SetQualityToBalanced()
 {
-  this->SetQuality(LayeredBitmask, 2, 6, 2, 2);
+  this->SetQuality(LayeredBitmask, 2, 6, 4, 2);
 }
 
 //------------------------------------------------------------------------------
 void vtkScreenSpaceAmbientOcclusionPass::SetQualityToAccurate()
 {
-  this->SetQuality(LayeredBitmask, 4, 12, 2, 2);
+  this->SetQuality(LayeredBitmask, 4, 12, 3, 2);
 }
 
 //------------------------------------------------------------------------------

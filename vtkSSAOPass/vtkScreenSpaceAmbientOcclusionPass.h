@@ -113,9 +113,9 @@ public:
    * Choose estimator, Directions, Steps, Layers, Thickness, NoiseSize, Downsampling and denoiser
    * together. Balanced is the default. Each control may be changed afterwards. All estimate one of
    * 2 x 2 pixels and interpolate.
-   * - Fast: ExactHorizon, 1 slice of 2 x 8 samples.
-   * - Balanced: LayeredBitmask, 2 slices of 2 x 6 samples, 5 layers.
-   * - Accurate: LayeredBitmask, 4 slices of 2 x 12 samples, 5 layers.
+   * - Fast: ExactHorizon, 1 slice of 2 x 8 samples, noise tile 4.
+   * - Balanced: LayeredBitmask, 2 slices of 2 x 6 samples, 5 layers, noise tile 4.
+   * - Accurate: LayeredBitmask, 4 slices of 2 x 12 samples, 5 layers, noise tile 3.
    */
   void SetQualityToFast();
   void SetQualityToBalanced();

@@ -108,6 +108,7 @@ vtkSSAOReportMethod SliceMethod(
       pass->SetDirections(directions);
       pass->SetSteps(steps);
       pass->SetLayers(layers);
+      pass->SetNoiseSize(2);
       pass->SetDownsampling(1);
     });
 }
