@@ -4,6 +4,7 @@
 #include "vtkActor.h"
 #include "vtkAssemblyNode.h"
 #include "vtkAssemblyPath.h"
+#include "vtkCamera.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkMapper.h"
@@ -13,6 +14,8 @@
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+#include "vtkPlane.h"
+#include "vtkPlaneCollection.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProp3D.h"
@@ -31,9 +34,16 @@
 #include "vtkSSAOPass1LayerOutputFS.h"
 #include "vtkSSAOView.h"
 #include "vtkShaderProgram.h"
+#include "vtkShaderProperty.h"
 #include "vtkTextureObject.h"
 
+#include <glm/common.hpp>
+
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string>
 
 vtkStandardNewMacro(vtkSSAOCapturePass);
 
@@ -117,6 +127,24 @@ double TotalLight(vtkRenderer* renderer)
     }
   }
   return std::max({ total[0], total[1], total[2] });
+}
+
+//------------------------------------------------------------------------------
+// Whether an actor draws nothing outside its bounds. Impostors, glyphs, wide lines and shaders that
+// move vertices may.
+bool StaysWithinBounds(vtkActor* actor)
+{
+  const std::string mapper = actor->GetMapper()->GetClassName();
+  vtkProperty* property = actor->GetProperty();
+  vtkShaderProperty* shader = actor->GetShaderProperty();
+  return (mapper == "vtkOpenGLPolyDataMapper" || mapper == "vtkCompositePolyDataMapper2") &&
+    property->GetRepresentation() == VTK_SURFACE && !property->GetEdgeVisibility() &&
+    !property->GetVertexVisibility() && !property->GetRenderPointsAsSpheres() &&
+    !property->GetRenderLinesAsTubes() && property->GetLineWidth() <= 1.0F &&
+    property->GetPointSize() <= 1.0F &&
+    !(shader &&
+      (shader->HasVertexShaderCode() || shader->HasGeometryShaderCode() ||
+        shader->GetNumberOfShaderReplacements() > 0));
 }
 
 //------------------------------------------------------------------------------
@@ -226,6 +254,89 @@ void vtkSSAOCapturePass::RenderHooked(const vtkRenderState* s, bool layers)
   this->PreRender(&hooked);
   this->RenderProps(s, this->Captured);
   this->PostRender(&hooked);
+}
+
+//------------------------------------------------------------------------------
+glm::ivec4 vtkSSAOCapturePass::RectangleOnScreen(const vtkSSAOView& view)
+{
+  // A pixel more on each side, for the rounding of the rasteriser.
+  const glm::dvec2 corner(view.Viewport);
+  const glm::dvec2 size(view.Viewport.z, view.Viewport.w);
+  glm::dvec2 low(std::numeric_limits<double>::max());
+  glm::dvec2 high(-std::numeric_limits<double>::max());
+  vtkMatrix4x4* clipOfWorld =
+    view.Renderer->GetActiveCamera()->GetCompositeProjectionTransformMatrix(
+      view.Renderer->GetTiledAspectRatio(), -1.0, 1.0);
+  bool known = true;
+  for (vtkProp* prop : this->Captured)
+  {
+    const double* bounds = prop->GetBounds();
+    known = known && bounds && VisitActors(prop, StaysWithinBounds);
+    for (int i = 0; i < 8 && known; ++i)
+    {
+      const double point[4] = { bounds[i & 1], bounds[2 + ((i >> 1) & 1)], bounds[4 + (i >> 2)],
+        1.0 };
+      double clip[4];
+      clipOfWorld->MultiplyPoint(point, clip);
+      const glm::dvec2 pixel = corner + size * (glm::dvec2(clip[0], clip[1]) / clip[3] * 0.5 + 0.5);
+      // False for what is not finite as well.
+      known = clip[3] > 0.0 && std::abs(pixel.x) < 1.0e6 && std::abs(pixel.y) < 1.0e6;
+      low = glm::min(low, pixel);
+      high = glm::max(high, pixel);
+    }
+  }
+  if (!known)
+  {
+    return view.Viewport;
+  }
+  const glm::ivec2 first(glm::floor(glm::clamp(low - 1.0, corner, corner + size)));
+  const glm::ivec2 end(glm::ceil(glm::clamp(high + 1.0, corner, corner + size)));
+  return glm::ivec4(first, glm::max(end - first, glm::ivec2(1)));
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> vtkSSAOCapturePass::DescribeFrame(const vtkSSAOView& view)
+{
+  const auto identity = [](const void* object)
+  { return static_cast<double>(reinterpret_cast<std::uintptr_t>(object)); };
+  std::vector<double> frame = { identity(view.Renderer), identity(view.Window),
+    double(view.TextureSize.x), double(view.TextureSize.y), double(view.Samples) };
+  for (int i = 0; i < 4; ++i)
+  {
+    frame.push_back(view.Viewport[i]);
+  }
+  vtkCamera* camera = view.Renderer->GetActiveCamera();
+  vtkMatrix4x4* matrices[2] = { camera->GetModelViewTransformMatrix(),
+    camera->GetProjectionTransformMatrix(view.Renderer->GetTiledAspectRatio(), -1.0, 1.0) };
+  for (vtkMatrix4x4* matrix : matrices)
+  {
+    frame.insert(frame.end(), matrix->GetData(), matrix->GetData() + 16);
+  }
+  for (vtkProp* prop : this->Captured)
+  {
+    // A prop with levels of detail may choose another one next time, and a shader may move vertices
+    // as it likes.
+    auto* actor = vtkActor::SafeDownCast(prop);
+    if (!actor || std::string(actor->GetClassName()) != "vtkOpenGLActor" ||
+      !StaysWithinBounds(actor) ||
+      std::string(actor->GetMapper()->GetClassName()) != "vtkOpenGLPolyDataMapper" ||
+      (actor->GetShaderProperty() && actor->GetShaderProperty()->HasFragmentShaderCode()))
+    {
+      return {};
+    }
+    vtkMapper* mapper = actor->GetMapper();
+    // A mapper does not notice that a clipping plane moves.
+    vtkPlaneCollection* planes = mapper->GetClippingPlanes();
+    for (int i = 0; planes && i < planes->GetNumberOfItems(); ++i)
+    {
+      frame.push_back(double(planes->GetItem(i)->GetMTime()));
+    }
+    frame.insert(frame.end(),
+      { identity(actor), double(actor->GetRedrawMTime()), identity(mapper),
+        double(mapper->GetMTime()), double(actor->GetProperty()->GetMTime()) });
+    frame.insert(frame.end(), actor->GetMatrix()->GetData(), actor->GetMatrix()->GetData() + 16);
+  }
+  return frame;
 }
 
 //------------------------------------------------------------------------------

@@ -60,6 +60,18 @@ public:
   bool Capture(const vtkRenderState* s, const vtkSSAOView& view);
 
   /**
+   * The part of the viewport outside which the captured props draw nothing: (x, y, width, height)
+   * in pixels. The whole viewport if a prop may draw beyond its bounds.
+   */
+  glm::ivec4 RectangleOnScreen(const vtkSSAOView& view);
+
+  /**
+   * All that the shape and place of the captured surfaces depend on, as numbers to compare: equal
+   * lists, equal geometry. Empty if that cannot be told.
+   */
+  std::vector<double> DescribeFrame(const vtkSSAOView& view);
+
+  /**
    * Draw the captured props again into the framebuffer that is bound, as four numbers for each
    * fragment: -depth, and depth again if it is within reach of the first surface or -depth if not,
    * if it shows its front, and the same if it shows its back, -1e30 each otherwise. Only what lies

@@ -104,6 +104,8 @@ bool vtkSSAODenoiseStage::DrawStep(const vtkSSAOView& view, const vtkSSAODenoise
   const float coarseTexelSize[2] = { 1.0F / visibility->GetWidth(),
     1.0F / visibility->GetHeight() };
   program->SetUniform2f("coarseTexelSize", coarseTexelSize);
+  const glm::vec4 estimated(view.Coarse(settings.Downsampling).Drawn);
+  program->SetUniform4f("estimated", &estimated[0]);
   const float axis[2] = { across ? 1.0F : 0.0F, across ? 0.0F : 1.0F };
   program->SetUniform2f("axis", axis);
   program->SetUniformf("largestStep", static_cast<float>(0.5 * settings.Radius));

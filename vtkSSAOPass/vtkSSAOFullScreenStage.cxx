@@ -96,7 +96,7 @@ void vtkSSAOFullScreenStage::Draw(const vtkSSAOView& view)
   vtkOpenGLState::ScopedglEnableDisable depthTestSaver(state, GL_DEPTH_TEST);
   vtkOpenGLState::ScopedglEnableDisable cullSaver(state, GL_CULL_FACE);
   state->vtkglViewport(view.Viewport.x, view.Viewport.y, view.Viewport.z, view.Viewport.w);
-  state->vtkglScissor(view.Viewport.x, view.Viewport.y, view.Viewport.z, view.Viewport.w);
+  state->vtkglScissor(view.Drawn.x, view.Drawn.y, view.Drawn.z, view.Drawn.w);
   state->vtkglEnable(GL_SCISSOR_TEST);
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglDisable(GL_CULL_FACE);

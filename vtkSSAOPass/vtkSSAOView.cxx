@@ -40,6 +40,7 @@ vtkSSAOView::vtkSSAOView(const vtkRenderState* state)
   , Window(vtkOpenGLRenderWindow::SafeDownCast(this->Renderer->GetRenderWindow()))
   , Framebuffer(vtkOpenGLFramebufferObject::SafeDownCast(state->GetFrameBuffer()))
   , Viewport(0)
+  , Drawn(0)
   , TextureSize(0)
   , Samples(0)
   , Clamped(true)
@@ -78,6 +79,7 @@ vtkSSAOView::vtkSSAOView(const vtkRenderState* state)
     this->Reason = "the framebuffer has several color attachments already";
     return;
   }
+  this->Drawn = this->Viewport;
   this->Samples = this->Framebuffer->GetMultiSamples();
   if (vtkTextureObject* color = this->Framebuffer->GetColorAttachmentAsTextureObject(0))
   {
@@ -117,6 +119,13 @@ vtkSSAOView vtkSSAOView::Coarse(int edge) const
     coarse.TextureSize = (this->TextureSize + edge - 1) / edge;
     coarse.Viewport =
       glm::ivec4(0, 0, (this->Viewport.z + edge - 1) / edge, (this->Viewport.w + edge - 1) / edge);
+    // With the squares that are cut: their first pixels are estimated.
+    const glm::ivec2 corner(this->Viewport);
+    const glm::ivec2 first = (glm::ivec2(this->Drawn) - corner) / edge;
+    const glm::ivec2 end =
+      (glm::ivec2(this->Drawn) + glm::ivec2(this->Drawn.z, this->Drawn.w) - corner + edge - 1) /
+      edge;
+    coarse.Drawn = glm::ivec4(first, end - first);
   }
   return coarse;
 }
@@ -126,6 +135,7 @@ void vtkSSAOView::SetUniforms(vtkShaderProgram* program) const
 {
   SetVector(program, "texelSize", glm::dvec2(1.0) / glm::dvec2(this->TextureSize));
   SetVector(program, "viewport", glm::dvec4(this->Viewport));
+  SetVector(program, "drawn", glm::dvec4(this->Drawn));
   SetVector(program, "pixelToRay", this->Projection.PixelToRay);
   SetVector(program, "rayToPixel", this->Projection.RayToPixel);
   SetVector(program, "rayOffset", this->Projection.RayOffset);

@@ -50,6 +50,7 @@ public:
   vtkOpenGLRenderWindow* Window;
   vtkOpenGLFramebufferObject* Framebuffer; ///< draws the scene
   glm::ivec4 Viewport;                     ///< x, y, width, height in pixels of Framebuffer
+  glm::ivec4 Drawn;                        ///< the part of Viewport in which stages draw
   glm::ivec2 TextureSize;                  ///< size of textures that share its pixel coordinates
   int Samples;                             ///< samples per pixel of Framebuffer, 0 for one
   bool Clamped;                            ///< whether Framebuffer holds colours up to 1 only

@@ -217,6 +217,12 @@ public:
   vtkTextureObject* Solids = nullptr;     ///< of this frame, if the estimator needs them
   vtkTextureObject* MoreSolids = nullptr; ///< of this frame, their second half
   glm::ivec4 Viewport = glm::ivec4(0);    ///< of this frame within these textures
+  glm::ivec4 Estimated = glm::ivec4(0);   ///< part of this frame's estimated pixels that was drawn
+  bool Reused = false;                    ///< whether this frame's visibility is the last one's
+  std::vector<double> Frame;              ///< what the last visibility depends on
+  vtkSmartPointer<vtkTextureObject> LastVisibility;
+  vtkSmartPointer<vtkTextureObject> LastSolids;
+  vtkSmartPointer<vtkTextureObject> LastMoreSolids;
   bool Warned = false;
   vtkWeakPointer<vtkWindow> Window; ///< whose context the textures and programs belong to
   std::array<double, NumberOfStages> Times{};
@@ -244,6 +250,10 @@ public:
     this->Visibility = nullptr;
     this->Solids = nullptr;
     this->MoreSolids = nullptr;
+    this->Frame.clear();
+    this->LastVisibility = nullptr;
+    this->LastSolids = nullptr;
+    this->LastMoreSolids = nullptr;
   }
 };
 
@@ -266,6 +276,7 @@ void vtkScreenSpaceAmbientOcclusionPass::Render(const vtkRenderState* s)
   stages.Visibility = nullptr;
   stages.Solids = nullptr;
   stages.MoreSolids = nullptr;
+  stages.Reused = false;
   stages.Times.fill(0.0);
   this->FollowWindow(s->GetRenderer()->GetVTKWindow());
 
@@ -337,7 +348,7 @@ int vtkScreenSpaceAmbientOcclusionPass::RenderOpaqueWithOcclusion(const vtkRende
   Pipeline& stages = *this->Stages;
   // A delegate may lack lights; setting them up twice changes nothing.
   stages.Lights->Render(s);
-  const vtkSSAOView view(s);
+  vtkSSAOView view(s);
   this->UpdateEffectiveRadius(s->GetRenderer());
   if (!view.IsValid() || !this->NeedsBuffers())
   {
@@ -356,9 +367,17 @@ int vtkScreenSpaceAmbientOcclusionPass::RenderOpaqueWithOcclusion(const vtkRende
     stages.Capture->Render(s);
     return stages.Capture->GetNumberOfRenderedProps();
   }
+  if (this->Denoiser == None || this->Denoiser == EdgeAware)
+  {
+    // The others average over the background.
+    view.Drawn = stages.Capture->RectangleOnScreen(view);
+  }
+  stages.Estimated = view.Coarse(vtkSSAOOcclusionSettings::Of(this).Downsampling).Drawn;
   const bool nothingToShade = this->OutputMode == Composite && !stages.Capture->HasSurfaces();
   const bool shaded = nothingToShade ||
-    (this->FindLayers(s, view) && this->ComputeOcclusion(view) && this->RemoveNoise(view) &&
+    ((this->ReuseVisibility(view) ||
+       (this->FindLayers(s, view) && this->ComputeOcclusion(view) && this->RemoveNoise(view) &&
+         this->KeepVisibility())) &&
       this->ModulateLight(view));
   if (!shaded)
   {
@@ -402,6 +421,39 @@ bool vtkScreenSpaceAmbientOcclusionPass::CaptureSurfaces(
   }
   this->TimeStage(CaptureStage, view);
   return stages.Geometry != nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool vtkScreenSpaceAmbientOcclusionPass::ReuseVisibility(const vtkSSAOView& view)
+{
+  Pipeline& stages = *this->Stages;
+  std::vector<double> frame = stages.Capture->DescribeFrame(view);
+  if (!frame.empty())
+  {
+    frame.push_back(static_cast<double>(this->GetMTime()));
+    frame.push_back(stages.EffectiveRadius);
+  }
+  stages.Reused = !frame.empty() && frame == stages.Frame && stages.LastVisibility;
+  if (stages.Reused)
+  {
+    stages.Visibility = stages.LastVisibility;
+    stages.Solids = stages.LastSolids;
+    stages.MoreSolids = stages.LastMoreSolids;
+    return true;
+  }
+  stages.Frame = frame;
+  stages.LastVisibility = nullptr;
+  return false;
+}
+
+//------------------------------------------------------------------------------
+bool vtkScreenSpaceAmbientOcclusionPass::KeepVisibility()
+{
+  Pipeline& stages = *this->Stages;
+  stages.LastVisibility = stages.Visibility;
+  stages.LastSolids = stages.Solids;
+  stages.LastMoreSolids = stages.MoreSolids;
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -554,6 +606,21 @@ int vtkScreenSpaceAmbientOcclusionPass::GetNumberOfProgramBuilds() const
 }
 
 //------------------------------------------------------------------------------
+int vtkScreenSpaceAmbientOcclusionPass::GetNumberOfEstimatedPixels() const
+{
+  return this->Stages->Visibility && !this->Stages->Reused
+    ? this->Stages->Estimated.z * this->Stages->Estimated.w
+    : 0;
+}
+
+//------------------------------------------------------------------------------
+int vtkScreenSpaceAmbientOcclusionPass::GetNumberOfLayerDrawings() const
+{
+  return this->Stages->Solids && !this->Stages->Reused ? this->Stages->Layers.GetNumberOfRounds()
+                                                       : 0;
+}
+
+//------------------------------------------------------------------------------
 bool vtkScreenSpaceAmbientOcclusionPass::GetVisibility(vtkImageData* image)
 {
   const glm::ivec4 viewport = this->Stages->Viewport;
@@ -562,11 +629,13 @@ bool vtkScreenSpaceAmbientOcclusionPass::GetVisibility(vtkImageData* image)
   {
     return false;
   }
+  // Where there is no surface nothing may have been drawn.
+  const std::vector<float> geometry = Download(this->Stages->Geometry, viewport);
   float* pixel = NewPixels(image, viewport, 1, "Visibility");
   const std::size_t components = this->Stages->Visibility->GetComponents();
-  for (std::size_t i = 0; i < values.size(); i += components)
+  for (std::size_t i = 0; i < geometry.size() / 4; ++i)
   {
-    *pixel++ = values[i];
+    pixel[i] = geometry[4 * i] > 0.0F ? values[i * components] : 1.0F;
   }
   return true;
 }

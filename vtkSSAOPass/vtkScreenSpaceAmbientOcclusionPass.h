@@ -483,6 +483,19 @@ public:
 
   ///@{
   /**
+   * What the last render did. GetNumberOfEstimatedPixels: for how many pixels the estimator ran:
+   * with the denoisers None and EdgeAware those of the rectangle that the opaque props cover on the
+   * screen, over the square of Downsampling; 0 if no visibility was needed, or if that of the frame
+   * before was used again, because neither scene, camera nor settings have changed since.
+   * GetNumberOfLayerDrawings: how often the opaque props were drawn once more for the layers behind
+   * the first.
+   */
+  int GetNumberOfEstimatedPixels() const;
+  int GetNumberOfLayerDrawings() const;
+  ///@}
+
+  ///@{
+  /**
    * The last render as data, in the pixels of the renderer's viewport, bottom row first.
    * GetVisibility: one float, V after denoising, before Power and Intensity, 1 where no lit opaque
    * surface is seen. GetGeometry: seven floats, linear view depth in world units (0: no surface),
@@ -551,6 +564,8 @@ private:
   void RenderScene(const vtkRenderState* s);
   int RenderOpaqueWithOcclusion(const vtkRenderState* s);
   bool CaptureSurfaces(const vtkRenderState* s, const vtkSSAOView& view);
+  bool ReuseVisibility(const vtkSSAOView& view);
+  bool KeepVisibility();
   bool FindLayers(const vtkRenderState* s, const vtkSSAOView& view);
   bool ComputeOcclusion(const vtkSSAOView& view);
   bool RemoveNoise(const vtkSSAOView& view);

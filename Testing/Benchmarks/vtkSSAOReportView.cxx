@@ -187,6 +187,8 @@ void vtkSSAOReportView::MeasureCosts(std::vector<Trial>& trials)
       {
         ours->StageTimingOn();
       }
+      // Otherwise an unchanged frame would be taken from the last one.
+      trial.Pass->Modified();
       const double with = this->TimeFrame();
       for (int stage = 0; ours && stage < OurPass::NumberOfStages; ++stage)
       {

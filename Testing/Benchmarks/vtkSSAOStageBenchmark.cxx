@@ -59,6 +59,7 @@ public:
   void Render()
   {
     this->Renderer->GetActiveCamera()->Modified();
+    this->Occlusion->Modified(); // an unchanged frame would be taken from the last one
     this->Window->Render();
   }
 

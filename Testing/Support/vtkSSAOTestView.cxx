@@ -143,6 +143,7 @@ void vtkSSAOTestView::Render()
 //------------------------------------------------------------------------------
 vtkSSAOTestImage vtkSSAOTestView::Visibility()
 {
+  this->Pass->Modified(); // not what is left of the last frame
   this->Render();
   vtkNew<vtkImageData> image;
   if (!this->Pass->GetVisibility(image))

@@ -34,6 +34,7 @@ using vec4 = glm::dvec4;
 struct OcclusionShader
 {
   vec4 viewport;
+  vec4 drawn;
   vec4 pixelToRay;
   vec4 rayToPixel;
   vec4 rayOffset;
@@ -240,6 +241,7 @@ std::vector<double> vtkSSAOTwin::Visibility(
   const double angle = glm::radians(settings.AngleBias);
   twin::OcclusionShader uniforms;
   uniforms.viewport = glm::dvec4(0.0, 0.0, this->Width, this->Height);
+  uniforms.drawn = uniforms.viewport;
   uniforms.pixelToRay = this->Projection.PixelToRay;
   uniforms.rayToPixel = this->Projection.RayToPixel;
   uniforms.rayOffset = this->Projection.RayOffset;

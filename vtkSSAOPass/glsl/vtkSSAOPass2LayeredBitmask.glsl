@@ -90,7 +90,7 @@ SsaoSide ssaoTakeSample(SsaoSide side, vec2 pixel, float share, float join, vec4
   float inverse = float(1.0) / ray.squares.z;
   float middle = -ray.squares.y * inverse;
   float squaredHalf = (radius * radius - ray.squares.x) * inverse + middle * middle;
-  float halfLength = ssaoIsInViewport(at, viewport) ? sqrt(max(squaredHalf, float(0.0))) : float(0.0);
+  float halfLength = ssaoIsInViewport(at, drawn) ? sqrt(max(squaredHalf, float(0.0))) : float(0.0);
   vec2 ball = vec2(middle - halfLength, middle + halfLength);
   SsaoStretches solids =
     ssaoStretchesSeen(ssaoSolidsAt(at), ssaoMoreSolidsAt(at), ssaoUnpackFacing(center.z), sheet);

@@ -11,12 +11,14 @@
 uniform sampler2D visibility; // (raw ambient visibility, depth) of the estimated pixels
 uniform vec2 coarseTexelSize; // 1 / size of that texture
 uniform float downsampling;   // edge of the squares in pixels of which the first is estimated
+uniform vec4 estimated;       // x, y, width, height of what of it was drawn
 uniform int noiseSize;        // edge of the rotation tile in estimated pixels
 
 void main()
 {
   vec2 corner = downsampling > 1.0 ? vec2(0.0) : viewport.xy;
-  vec2 last = corner + ceil(viewport.zw / downsampling) - 0.5;
+  vec2 low = estimated.xy + 0.5;
+  vec2 high = estimated.xy + estimated.zw - 0.5;
   vec2 pixel = viewport.xy + downsampling * (gl_FragCoord.xy - 0.5 - corner) + 0.5;
   vec2 center = textureLod(visibility, gl_FragCoord.xy * coarseTexelSize, 0.0).xy;
   SsaoPlane plane = ssaoPlaneThrough(ssaoUnpackFacet(ssaoGeometryAt(pixel).z), pixel, center.y,
@@ -30,7 +32,7 @@ void main()
     float rowWeight = abs(j) == reach ? border : 1.0;
     for (float i = -reach; i <= reach; i += 1.0)
     {
-      vec2 at = clamp(gl_FragCoord.xy + vec2(i, j), corner + 0.5, last);
+      vec2 at = clamp(gl_FragCoord.xy + vec2(i, j), low, high);
       vec2 neighbour = textureLod(visibility, at * coarseTexelSize, 0.0).xy;
       float weight = (abs(i) == reach ? border : 1.0) * rowWeight *
         ssaoPlaneWeight(plane, neighbour.y, (at - gl_FragCoord.xy) * downsampling);

@@ -9,6 +9,7 @@
 
 uniform sampler2D visibility; // (ambient visibility, depth) of the estimated pixels
 uniform vec2 coarseTexelSize; // 1 / size of that texture
+uniform vec4 estimated;       // x, y, width, height of what of it was drawn
 uniform float downsampling;   // edge of the squares in pixels of which the first is estimated
 
 void main()
@@ -18,7 +19,7 @@ void main()
     rayOffset, depthSlope, perspective);
   vec2 place = gl_FragCoord.xy - viewport.xy - 0.5;
   vec2 square = floor(place / downsampling);
-  vec2 last = ceil(viewport.zw / downsampling) - 1.0;
+  vec2 last = estimated.xy + estimated.zw - 1.0;
   float sum = 0.0;
   float weights = 0.0;
   for (int i = 0; i < 4; ++i)

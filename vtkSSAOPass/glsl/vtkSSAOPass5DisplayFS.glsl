@@ -17,7 +17,7 @@ void main()
 {
   vec2 at = ((gl_FragCoord.xy - target.xy) / target.zw * source.zw + source.xy) * texelSize;
   vec4 center = textureLod(geometry, at, 0.0);
-  vec3 shown = vec3(textureLod(visibility, at, 0.0).x);
+  vec3 shown = vec3(center.x > 0.0 ? textureLod(visibility, at, 0.0).x : 1.0);
   if (mode == 3)
   {
     shown = center.x > 0.0 ? ssaoUnpackNormal(center.y) * 0.5 + 0.5 : vec3(0.0);

@@ -2,6 +2,7 @@
 uniform sampler2D geometry; // (depth, packed normal, packed facet normal, 1); depth 0: no surface
 uniform vec2 texelSize;     // 1 / size of the geometry texture
 uniform vec4 viewport;      // x, y, width, height in pixels
+uniform vec4 drawn;         // the part of it with surfaces, in the same way
 uniform vec4 pixelToRay;
 uniform vec4 rayToPixel;
 uniform vec4 rayOffset;
