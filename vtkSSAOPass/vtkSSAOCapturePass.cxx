@@ -231,6 +231,8 @@ void vtkSSAOCapturePass::DrawLayers(const vtkRenderState* s, const vtkSSAOView& 
   this->TexelSize = 1.0F / glm::vec2(view.TextureSize);
   this->Sheet = static_cast<float>(sheet);
   this->Reach = static_cast<float>(reach);
+  // A few roundings of float32; several samples per pixel are interpolated less exactly.
+  this->Margin = view.Samples > 0 ? 2.0e-5F : 1.0e-6F;
   const int rendered = this->NumberOfRenderedProps;
   before->Activate();
   this->RenderHooked(s, true);
@@ -508,6 +510,7 @@ bool vtkSSAOCapturePass::SetShaderParameters(vtkShaderProgram* program,
     program->SetUniform2f("ssaoTexelSize", &this->TexelSize[0]);
     program->SetUniformf("ssaoSheet", this->Sheet);
     program->SetUniformf("ssaoReach", this->Reach);
+    program->SetUniformf("ssaoMargin", this->Margin);
   }
   program->SetUniform3f("ssaoOccludableWeights", &this->Weights[0]);
   program->SetUniform4f("ssaoDepthOfWindowRows", &this->DepthOfWindow[0]);

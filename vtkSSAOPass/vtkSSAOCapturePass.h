@@ -149,6 +149,7 @@ private:
   glm::vec2 TexelSize = glm::vec2(1.0F);
   float Sheet = 0.0F;
   float Reach = 0.0F;
+  float Margin = 0.0F;
   vtkTimeStamp ShadersChanged;
   vtkSmartPointer<vtkTextureObject> Geometry;
   vtkSmartPointer<vtkTextureObject> Occludable;

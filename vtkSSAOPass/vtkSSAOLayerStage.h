@@ -45,8 +45,7 @@ public:
     const vtkSSAOLayerSettings& settings, vtkTextureObject* geometry);
 
   /**
-   * Stretches (front, back, front, back) of each pixel's ray, twice as high as the view: the upper
-   * half is for surfaces that show their back.
+   * Stretches (front, back, front, back) of each pixel's ray inside solids.
    */
   vtkTextureObject* GetSolids() const { return this->Solids; }
 

@@ -172,7 +172,7 @@ bool vtkSSAOOcclusionStage::Render(const vtkSSAOView& view,
     program->SetUniformi("solids", solids->GetTextureUnit());
     program->SetUniformi("moreSolids", (moreSolids ? moreSolids : solids)->GetTextureUnit());
   }
-  const bool drawn = this->DrawToOutput(view.Coarse(settings.Downsampling), 2);
+  const bool drawn = this->DrawToOutput(view.Coarse(settings.Downsampling), 4);
   if (settings.LooksBehind())
   {
     for (auto* texture : { moreSolids, solids })

@@ -16,7 +16,7 @@ class vtkSSAOOcclusionStage : public vtkSSAOFullScreenStage
 {
 public:
   /**
-   * Draws V and depth to the output texture (two components): 1 open, 0 closed, 1 and depth 0 where
+   * Draws V, depth and certainty to the output texture: 1 open, 0 closed, 1 and depth 0 where
    * there is no surface.
    * geometry has one sample per pixel; layers is drawn if the estimator looks behind it. False on
    * failure.

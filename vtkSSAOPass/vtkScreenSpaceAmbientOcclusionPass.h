@@ -498,8 +498,9 @@ public:
   /**
    * The last render as data, in the pixels of the renderer's viewport, bottom row first.
    * GetVisibility: one float, V after denoising, before Power and Intensity, 1 where no lit opaque
-   * surface is seen. GetGeometry: seven floats, linear view depth in world units (0: no surface),
-   * shading normal and facet normal in view coordinates, towards the viewer.
+   * surface is seen. GetGeometry: eight floats, linear view depth in world units (0: no surface),
+   * shading normal and facet normal in view coordinates, towards the viewer, and 1 where the
+   * surface shows its front, -1 where its back.
    * GetSolids: eight floats, made for LayeredBitmask only: front and back of up to four stretches
    * of the pixel's ray that lie inside solids, as linear view depths, 0 and 0 for none, 1e30 for no
    * end; the first front is negative where the surface shows its back. False, and the image is left

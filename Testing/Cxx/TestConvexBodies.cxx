@@ -54,5 +54,33 @@ int TestConvexBodies(int, char*[])
       }
     }
   }
+
+  // Few facets under smooth normals: of neighbouring facets the one that looks away from the
+  // shading normal lies below the horizon of the other.
+  for (int resolution : { 6, 10, 20 })
+  {
+    vtkSSAOTestView view(test, 150, 100);
+    vtkNew<vtkSphereSource> sphere;
+    sphere->SetRadius(0.5);
+    sphere->SetThetaResolution(resolution);
+    sphere->SetPhiResolution(resolution);
+    view.Add(sphere);
+    view.Look({ 2, 1.5, 3 }, { 0, 0, 0 }, { 0, 1, 0 });
+    for (int preset = 0; preset < vtkSSAOTestView::NumberOfPresets; ++preset)
+    {
+      view.SetPreset(preset);
+      for (double radius : { 0.1, 1.0 })
+      {
+        view.Pass->SetRadius(radius);
+        const vtkSSAOStatistics v = view.MeasureSurfaces(view.Visibility());
+        std::ostringstream what;
+        what << "Sphere of " << resolution << " x " << resolution << " facets, "
+             << vtkSSAOTestView::GetPresetName(preset) << ", radius " << radius << ": ";
+        test.ExpectAtLeast(v.Mean, 0.998, what.str() + "mean V");
+        test.ExpectAtLeast(v.Minimum, 0.99, what.str() + "smallest V");
+        test.ExpectAtLeast(v.Count, 1500, what.str() + "pixels of the body");
+      }
+    }
+  }
   return test.GetResult();
 }

@@ -23,6 +23,7 @@ int TestDenoiserEdges(int, char*[])
     parallel ? view.LookParallel({ 0, 8, 8 }, { 0, 0, 0 }, { 0, 1, 0 }, 1.2)
              : view.Look({ 0, 8, 8 }, { 0, 0, 0 }, { 0, 1, 0 }, 12.0);
     view.Pass->SetRadius(1.0);
+    view.Pass->SetNoiseSize(4);
     view.Visibility();
     const vtkSSAOTestImage depth = view.Depth();
     // Pixels of the ground below the ball, within two pixels of the table.

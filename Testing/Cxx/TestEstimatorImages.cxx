@@ -16,7 +16,7 @@ int TestEstimatorImages(int argc, char* argv[])
   vtkSSAOLookAtStillLife(view, false);
   view.Pass->SetRadius(0.5);
   view.Pass->SetOutputModeToOcclusion();
-  const int kernelSizes[] = { 32, 128, 128, 64, 64, 26, 24 };
+  const int kernelSizes[] = { 32, 128, 128, 64, 64, 26, 24, 24, 24 };
   for (int estimator = 0; estimator < vtkSSAOTest::NumberOfEstimators; ++estimator)
   {
     view.Pass->SetEstimator(estimator);

@@ -38,6 +38,9 @@ void Set(vtkScreenSpaceAmbientOcclusionPass* pass, int step)
   pass->SetEstimator(step % vtkSSAOTest::NumberOfEstimators);
   pass->SetDenoiser(step % 5);
   pass->SetNoiseSize(2 + step % 6);
+  pass->SetDownsampling(1 + step % 3);
+  pass->SetLayers(1 + 4 * (step % 3));
+  pass->SetThickness(0.1 * (step % 2));
   pass->SetKernelSize(4 + step % 29);
   pass->SetDirections(1 + step % 4);
   pass->SetSteps(1 + step % 3);
@@ -60,7 +63,7 @@ int TestEstimatorSwitching(int, char*[])
   vtkSSAOAddStillLife(view);
   vtkSSAOLookAtStillLife(view, false);
   // Once each, so that all programs are built.
-  for (int step = 0; step < 35; ++step)
+  for (int step = 0; step < 45; ++step)
   {
     Set(view.Pass, step);
     view.Visibility();
@@ -83,8 +86,9 @@ int TestEstimatorSwitching(int, char*[])
   Set(view.Pass, 3);
   test.Expect(view.Visibility() == before, "the picture is the one before");
   test.ExpectEqual(view.Pass->GetNumberOfProgramBuilds(), builds, "programs built");
-  // Seven estimators, four denoisers, and the modulation of the light.
-  test.ExpectAtMost(builds, 12, "of these before");
+  // Nine estimators, four denoisers, the interpolation, solids of 5 and of 9 layers, and the
+  // modulation of the light.
+  test.ExpectAtMost(builds, 17, "of these before");
   test.ExpectEqual(static_cast<double>(view.Pass->GetTextureMemory()), static_cast<double>(bytes),
     "texture bytes");
   for (int i = 0; i < 5; ++i)

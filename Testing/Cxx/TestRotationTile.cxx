@@ -79,21 +79,27 @@ int TestRotationTile(int, char*[])
       const int left = 40;
       const int bottom = 0;
       const int size = corner ? 72 : 80;
+      const int period = view.Pass->GetNoiseSize();
       view.Pass->SetDenoiserToNone();
       const vtkSSAOTestImage noisy = view.Visibility();
-      const double before = PatternAmplitude(noisy, left, bottom, size, 4);
+      const double before = PatternAmplitude(noisy, left, bottom, size, period);
       test.ExpectAtLeast(before, 0.004, what + "pattern without a denoiser");
       for (int denoiser : { 1, 4 })
       {
         view.Pass->SetDenoiser(denoiser);
         const std::string name = what + (denoiser == 1 ? "Box" : "EdgeAware");
         const vtkSSAOTestImage v = view.Visibility();
-        const double after = PatternAmplitude(v, left, bottom, size, 4);
+        const double after = PatternAmplitude(
+          v, left, bottom, size, denoiser == 1 ? period : period * view.Pass->GetDownsampling());
         // The mean over a tile takes a pattern away but for what the shade changes within it.
-        test.ExpectAtMost(after / before, 0.02, name + ", share of the pattern that is left");
+        // The interpolation between estimated pixels leaves its kinks, with their period.
+        test.ExpectAtMost(after / before, denoiser == 1 ? 0.02 : 0.025,
+          name + ", share of the pattern that is left");
         const auto inside = [=](int x, int y)
         { return x >= left && x < left + size && y >= bottom && y < bottom + size; };
-        test.ExpectNear(vtkSSAOMeasure(v, inside).Mean, vtkSSAOMeasure(noisy, inside).Mean, 0.002,
+        // Box with an even tile is half a pixel off: .5 / 72 of the difference of V between the
+        // ends of the rectangle, up to .45.
+        test.ExpectNear(vtkSSAOMeasure(v, inside).Mean, vtkSSAOMeasure(noisy, inside).Mean, 0.004,
           name + ", mean V");
         if (corner)
         {

@@ -24,8 +24,8 @@ int TestStages(int argc, char* argv[])
   view.Pass->SetOutputModeToNormal();
   images.Compare(view.Picture(), { 1, 0.0, 1 }, "Normal");
 
-  // A sample point that another rounding puts on the other side of the surface changes V by 1/32,
-  // 8/255: so much for a few pixels.
+  // A sample that another rounding puts on another texel hides some sectors more or less of the 120
+  // of a pixel, 2/255 each: so much for a few pixels.
   view.Pass->SetOutputModeToOcclusion();
   view.Pass->SetDenoiserToNone();
   images.Compare(view.Picture(), { 2, 0.002, 24 }, "RawOcclusion");

@@ -55,11 +55,12 @@ std::vector<Parameter> Parameters()
     PARAMETER(IntensityShift, 0.0, false, { -1.0, 0.5, 1.0 }, with({ -1.1, 1.1 })),
     PARAMETER(VolumeOpacityThreshold, 0.9, false, { 0.0, 0.5, 1.0 }, with({ -0.1, 1.1 })),
     PARAMETER(KernelSize, 32.0, true, { 1, 7, 1024 }, { 0, -1, 1025, 2147483647 }),
-    PARAMETER(NoiseSize, 2.0, true, { 1, 3, 64 }, { 0, -1, 65, 2147483647 }),
+    PARAMETER(NoiseSize, 4.0, true, { 1, 3, 64 }, { 0, -1, 65, 2147483647 }),
     PARAMETER(Denoiser, Pass::EdgeAware, true, { 0, 1, 4 }, { -1, 5, 1000 }),
     PARAMETER(Modulation, Pass::AmbientAndDiffuse, true, { 0, 1, 2 }, { -1, 3 }),
     PARAMETER(OutputMode, Pass::Composite, true, { 0, 1, 2, 3, 4 }, { -1, 5 }),
-    PARAMETER(Estimator, Pass::LayeredBitmask, true, { 0, 1, 2, 3, 4, 5, 6, 7, 8 }, { -1, 9, 1000 }),
+    PARAMETER(
+      Estimator, Pass::LayeredBitmask, true, { 0, 1, 2, 3, 4, 5, 6, 7, 8 }, { -1, 9, 1000 }),
     PARAMETER(Layers, 5.0, true, { 1, 2, 5, 9 }, { 0, -1, 10, 2147483647 }),
     PARAMETER(Thickness, 0.0, false, { 0.0, 1.0e-30, 0.5, 1.0e30 }, with({ -1.0, -1.0e-30 })),
     PARAMETER(Downsampling, 2.0, true, { 1, 2, 4 }, { 0, -1, 5, 2147483647 }),
@@ -134,8 +135,8 @@ void TestOthers(vtkSSAOTestMonitor& test)
   test.ExpectEqual(pass->GetEffectiveRadius(), 2.5, "effective radius before any render");
 
   // Estimator, slices, samples to a side, noise, downsampling.
-  const int wanted[][5] = { { Pass::ExactHorizon, 1, 8, 3, 2 }, { Pass::LayeredBitmask, 2, 6, 2, 2 },
-    { Pass::LayeredBitmask, 4, 12, 2, 2 } };
+  const int wanted[][5] = { { Pass::ExactHorizon, 1, 8, 4, 2 },
+    { Pass::LayeredBitmask, 2, 6, 4, 2 }, { Pass::LayeredBitmask, 4, 12, 3, 2 } };
   const std::function<void()> presets[] = { [&] { pass->SetQualityToFast(); },
     [&] { pass->SetQualityToBalanced(); }, [&] { pass->SetQualityToAccurate(); } };
   for (int preset = 0; preset < 3; ++preset)
@@ -162,9 +163,10 @@ void TestOthers(vtkSSAOTestMonitor& test)
   {
     const bool slices = estimator >= Pass::ExactHorizon;
     pass->SetQualityToFast();
+    pass->SetNoiseSize(7);
     pass->SetEstimator(estimator);
     const std::string what = "after changing to estimator " + std::to_string(estimator);
-    test.ExpectEqual(pass->GetNoiseSize(), slices ? 3 : 4, "noise size " + what);
+    test.ExpectEqual(pass->GetNoiseSize(), slices ? 7 : 4, "noise size " + what);
     test.ExpectEqual(pass->GetDownsampling(), slices ? 2 : 1, "downsampling " + what);
     test.ExpectEqual(pass->GetDirections(), slices ? 1 : 6, "directions " + what);
     test.ExpectEqual(pass->GetSteps(), slices ? 8 : 4, "steps " + what);
@@ -223,11 +225,11 @@ void TestPrintSelf(vtkSSAOTestMonitor& test)
     { "EffectiveRadius", "0.515625" }, { "Estimator", "" }, { "KernelSize", "77" },
     { "Directions", "11" }, { "Steps", "13" }, { "AngleBias", "12.5" }, { "HalfRule", "off" },
     { "RangeCheck", "off" }, { "MinimumDifference", "0.03125" }, { "Falloff", "2" },
-    { "Attenuation", "1.75" }, { "NoiseSize", "9" },
-    { "Layers", "7" }, { "Thickness", "0.1875" }, { "Downsampling", "3" }, { "Bias", "0.0625" }, { "Denoiser", "" },
-    { "Modulation", "" }, { "Intensity", "1.25" }, { "Power", "3.125" },
-    { "IntensityScale", "2.375" }, { "IntensityShift", "-0.4375" }, { "OutputMode", "" },
-    { "DepthFormat", "42" }, { "VolumeOpacityThreshold", "0.8125" }, { "StageTiming", "" } };
+    { "Attenuation", "1.75" }, { "NoiseSize", "9" }, { "Layers", "7" }, { "Thickness", "0.1875" },
+    { "Downsampling", "3" }, { "Bias", "0.0625" }, { "Denoiser", "" }, { "Modulation", "" },
+    { "Intensity", "1.25" }, { "Power", "3.125" }, { "IntensityScale", "2.375" },
+    { "IntensityShift", "-0.4375" }, { "OutputMode", "" }, { "DepthFormat", "42" },
+    { "VolumeOpacityThreshold", "0.8125" }, { "StageTiming", "" } };
   for (const auto& line : lines)
   {
     const std::string wanted = std::string(" ") + line.first + ": " + line.second;

@@ -99,12 +99,12 @@ void TestPrecisions(vtkSSAOTestMonitor& test)
     range = std::max(range,
       std::abs(
         inFloat::ssaoRangeCheck(float(5.0 * t), 1.0F) - inDouble::ssaoRangeCheck(5.0 * t, 1.0)));
-    const auto inSingle = inFloat::ssaoPlaneThrough(glm::normalize(glm::vec3(0.3, 0.1, 1.0)),
-      glm::vec2(50.5F), 4.0F, glm::vec4(0.01, 0, 0, 0.01), glm::vec4(-0.5, -0.5, 0, 0),
-      glm::vec2(0.0F), 1.0F);
-    const auto exact = inDouble::ssaoPlaneThrough(glm::normalize(glm::dvec3(0.3, 0.1, 1.0)),
-      glm::dvec2(50.5), 4.0, glm::dvec4(0.01, 0, 0, 0.01), glm::dvec4(-0.5, -0.5, 0, 0),
-      glm::dvec2(0.0), 1.0);
+    const auto inSingle =
+      inFloat::ssaoPlaneThrough(glm::normalize(glm::vec3(0.3, 0.1, 1.0)), glm::vec2(50.5F), 4.0F,
+        glm::vec4(0.01, 0, 0, 0.01), glm::vec4(-0.5, -0.5, 0, 0), glm::vec2(0.0F), 1.0F);
+    const auto exact =
+      inDouble::ssaoPlaneThrough(glm::normalize(glm::dvec3(0.3, 0.1, 1.0)), glm::dvec2(50.5), 4.0,
+        glm::dvec4(0.01, 0, 0, 0.01), glm::dvec4(-0.5, -0.5, 0, 0), glm::dvec2(0.0), 1.0);
     weight = std::max(weight,
       std::abs(inFloat::ssaoPlaneWeight(inSingle, float(3.9 + 0.2 * t), glm::vec2(2, 3)) -
         inDouble::ssaoPlaneWeight(exact, 3.9 + 0.2 * t, glm::dvec2(2, 3))));

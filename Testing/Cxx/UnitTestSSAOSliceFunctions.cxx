@@ -33,9 +33,10 @@ using Scalar = float;
 #include "glsl/vtkSSAOPass0SliceFunctions.glsl"
 struct Estimator
 {
-  vec4 viewport, pixelToRay, rayToPixel, rayOffset;
+  vec4 viewport, drawn, pixelToRay, rayToPixel, rayOffset;
   vec2 depthSlope, sliceTurn;
   float perspective, radius, sheet;
+  float ssaoCertainty = 1.0f;
   int directions, steps;
   vec4 ssaoNoiseAt(vec2) { return vec4(0); }
   vec4 ssaoSolidsAt(vec2) { return vec4(0); }
@@ -55,9 +56,10 @@ using Scalar = double;
 #include "glsl/vtkSSAOPass0SliceFunctions.glsl"
 struct Estimator
 {
-  vec4 viewport, pixelToRay, rayToPixel, rayOffset;
+  vec4 viewport, drawn, pixelToRay, rayToPixel, rayOffset;
   vec2 depthSlope, sliceTurn;
   float perspective, radius, sheet;
+  float ssaoCertainty = 1.0f;
   int directions, steps;
   vec4 ssaoNoiseAt(vec2) { return vec4(0); }
   vec4 ssaoSolidsAt(vec2) { return vec4(0); }

@@ -28,8 +28,9 @@
 namespace vtkSSAOTest
 {
 constexpr const char* EstimatorNames[] = { "CrytekSphere", "PositionSphere", "DepthSphere",
-  "Hemisphere", "HemisphereLinearDepth", "ReflectedHemisphere", "HorizonAngle" };
-constexpr int NumberOfEstimators = 7;
+  "Hemisphere", "HemisphereLinearDepth", "ReflectedHemisphere", "HorizonAngle", "ExactHorizon",
+  "LayeredBitmask" };
+constexpr int NumberOfEstimators = 9;
 
 //------------------------------------------------------------------------------
 /**

@@ -99,11 +99,8 @@ mutations()
 
   # denoisers
   m edges-ignored glsl/vtkSSAOPass3EdgeAwareFS.glsl \
-    's/ssaoPlaneWeight(neighbourVC - positionVC, normal, footprint)/1.0/' \
+    's/ssaoPlaneWeight(plane, neighbour\.y, (at - gl_FragCoord\.xy) \* downsampling)/1.0/' \
     'the edge-aware denoiser leaks over steps'
-  m normals-ignored glsl/vtkSSAOPass3EdgeAwareFS.glsl \
-    's/ssaoNormalWeight(normal, ssaoUnpackNormal(neighbour\.y))/1.0/' \
-    'the edge-aware denoiser leaks over creases'
   m tile-not-balanced glsl/vtkSSAOPass3EdgeAwareFS.glsl \
     's/noiseSize % 2 == 0 ? 0\.5 : 1\.0/1.0/' \
     'some rotations of the tile weigh more'

@@ -53,6 +53,7 @@ struct OcclusionShader
   int steps;
   vec2 angleBias;
   vec2 sliceTurn;
+  float ssaoCertainty = 1.0;
   float sheet;
   int noiseTile;
   float depthScale; // all depths that are looked up are multiplied by it

@@ -177,6 +177,8 @@ void Viewer::StepEstimator(int step)
 {
   const int count = static_cast<int>(this->Estimators.size());
   const int place = static_cast<int>(&this->CurrentEstimator() - this->Estimators.data());
+  // From a source's system back to ours: with what the preset sets besides.
+  this->Pass->SetQualityToBalanced();
   this->Pass->SetEstimator(this->Estimators[(place + step + count) % count].Value);
 }
 

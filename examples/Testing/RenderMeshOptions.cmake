@@ -41,10 +41,10 @@ expect(same ${plain} ${again} "twice the same command")
 
 foreach (arguments
     "--radius;0.2" "--quality;fast" "--quality;accurate" "--kernel-size;5" "--noise-size;2"
-    "--bias;0.5" "--denoiser;none" "--denoiser;box" "--denoiser;box-centered"
+    "--denoiser;none" "--denoiser;box" "--denoiser;box-centered"
     "--denoiser;separable-gaussian" "--modulation;ambient" "--estimator;crytek-sphere"
     "--estimator;position-sphere" "--estimator;hemisphere-linear-depth"
-    "--estimator;reflected-hemisphere" "--estimator;horizon-angle" "--range-check;off"
+    "--estimator;reflected-hemisphere" "--estimator;horizon-angle" "--estimator;hemisphere"
     "--intensity;0.5" "--power;2" "--intensity-scale;2" "--intensity-shift;0.2" "--look;0,1,-1"
     "--up;1,0,0" "--position;-1,-4,3" "--zoom;2" "--view-angle;60" "--parallel"
     "--background;0,0,0" "--color;1,0,0" "--feature-angle;180" "--ambient;0.6" "--diffuse;0.2"
@@ -54,7 +54,7 @@ foreach (arguments
   expect(other ${plain} ${changed} "${arguments}")
 endforeach ()
 foreach (arguments
-    "--radius;0" "--quality;balanced" "--estimator;hemisphere" "--bias;auto" "--zoom;1"
+    "--radius;0" "--quality;balanced" "--estimator;layered-bitmask" "--bias;auto" "--zoom;1"
     "--intensity;1" "--look=-1,1.6,-1" "--frames;1" "--quiet")
   render(same ${arguments} mesh.obj)
   expect(same ${plain} ${same} "${arguments}")
@@ -70,6 +70,7 @@ function (expect_change estimator)
   endforeach ()
 endfunction ()
 expect_change(crytek-sphere --half-rule=off)
+expect_change(hemisphere --bias=0.5 --range-check=off)
 expect_change(reflected-hemisphere --minimum-difference=0.3 --attenuation=4 --falloff=null-square
   --falloff=inverse-square)
 expect_change(horizon-angle --directions=3 --steps=12 --angle-bias=10)

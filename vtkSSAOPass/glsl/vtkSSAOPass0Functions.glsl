@@ -213,7 +213,7 @@ SsaoPlane ssaoPlaneThrough(vec3 facet, vec2 pixel, float depth, vec4 pixelToRay,
   return plane;
 }
 
-// Weight of a neighbour in the edge-aware mean: 1 on the plane, 0 from 30 degrees off it; a tenth of a
+// Weight of a neighbour in the edge-aware mean: 1 on the plane, 0 from a slope of one half off it; a tenth of a
 // pixel off does not count as an edge. depth: the neighbour's, 0 for none; moved: pixels to it.
 float ssaoPlaneWeight(SsaoPlane plane, float depth, vec2 moved)
 {
@@ -222,12 +222,6 @@ float ssaoPlaneWeight(SsaoPlane plane, float depth, vec2 moved)
   float steepness =
     max(abs(away) - float(0.2), float(0.0)) * inversesqrt(max(dot(moved, moved), float(1.0)));
   return depth > float(0.0) ? clamp(float(1.0) - steepness, float(0.0), float(1.0)) : float(0.0);
-}
-
-// Weight of a neighbour by its unit normal: 1 when equal, 0 from 60 degrees on.
-float ssaoNormalWeight(vec3 normal, vec3 neighbourNormal)
-{
-  return clamp(dot(normal, neighbourNormal) * float(2.0) - float(1.0), float(0.0), float(1.0));
 }
 
 // Visibility after the controls for strength; all parameters as in the public class. 1 stays 1

@@ -13,8 +13,10 @@
 #else
     vec2 ssaoEnds = vec2(ssaoFacing > 0.0 ? ssaoDepth : SSAO_NONE, ssaoFacing > 0.0 ? SSAO_NONE : ssaoDepth);
 #endif
-    bool ssaoIsFront = ssaoEnds.x > ssaoBounds.x && ssaoEnds.x < ssaoBounds.y;
-    bool ssaoIsBack = ssaoEnds.y > ssaoBounds.z && ssaoEnds.y < ssaoBounds.w;
+    // The surface that set a bound must not pass it, though it may come out rounded otherwise here.
+    vec4 ssaoWithin = ssaoBounds * vec4(1.0 + ssaoMargin, 1.0 - ssaoMargin, 1.0 + ssaoMargin, 1.0 - ssaoMargin);
+    bool ssaoIsFront = ssaoEnds.x > ssaoWithin.x && ssaoEnds.x < ssaoWithin.y;
+    bool ssaoIsBack = ssaoEnds.y > ssaoWithin.z && ssaoEnds.y < ssaoWithin.w;
     vec2 ssaoLimit = vec2(ssaoBounds.x, ssaoBounds.z) + ssaoReach;
     vec2 ssaoFar = vec2(ssaoEnds.x < ssaoLimit.x ? ssaoEnds.x : -ssaoEnds.x,
       ssaoEnds.y < ssaoLimit.y ? ssaoEnds.y : -ssaoEnds.y);

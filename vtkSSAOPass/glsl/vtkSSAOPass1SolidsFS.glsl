@@ -55,8 +55,8 @@ void main()
     insideAtEnd = ssaoInsideAfter(insideAtEnd, depths[i]);
   }
 
-  // A ray with as many layers as one round can tell that does not get out again has lost some.
-  float pairs = count >= 5 && insideAtEnd > 0 ? 1.0 : 0.0;
+  // A ray with as many layers as can be told that does not get out again has lost some.
+  float pairs = count >= SSAO_LAYERS && insideAtEnd > 0 ? 1.0 : 0.0;
   SsaoSolids solids = ssaoNoSolids();
   for (int i = 0; i < SSAO_LAYERS; ++i)
   {

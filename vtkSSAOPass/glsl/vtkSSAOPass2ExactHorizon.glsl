@@ -5,15 +5,18 @@
 // slices is divided by what it would be without occluders, so that an open surface is 1 exactly.
 //   pixel    position in the framebuffer
 //   center   the geometry there: (depth, packed normal, packed facet normal, 1)
-// Returns the visible share, 1 open. Samples outside the viewport are skipped.
+// Returns the visible share, 1 open. Samples outside the viewport are skipped, and what their side of
+// the slice weighs is less by their share.
 
-// The largest cosine, against the view direction, of what is seen from a point to one side.
+// The largest cosine, against the view direction, of what is seen from a point to one side, and which
+// share of the samples lay inside the picture.
 //   reach    pixels that the radius covers on this side
 //   lowest   cosine of the lowest open angle
-float ssaoHorizonCosine(vec2 pixel, vec2 reach, float reachInPixels, float centerDepth,
+vec2 ssaoHorizonCosine(vec2 pixel, vec2 reach, float reachInPixels, float centerDepth,
   vec2 centerRay, vec3 facet, vec3 viewer, float lowest, float jitter, int count)
 {
   float highest = lowest;
+  float inside = float(0.0);
   for (int i = 0; i < count; ++i)
   {
     vec2 at = floor(pixel + reach * ssaoSampleShare(float(i) + jitter, float(count), reachInPixels)) +
@@ -22,11 +25,12 @@ float ssaoHorizonCosine(vec2 pixel, vec2 reach, float reachInPixels, float cente
     SsaoRay ray = ssaoRayOf(
       ssaoTransform2(pixelToRay, at - pixel), centerDepth, centerRay, facet, viewer, perspective);
     float t = depth - centerDepth;
-    bool known = ssaoIsInViewport(at, viewport) && depth > float(0.0) &&
-      ssaoSquaredDistance(ray, t) <= radius * radius;
+    bool known = ssaoIsInViewport(at, viewport);
+    inside += known ? float(1.0) : float(0.0);
+    known = known && depth > float(0.0) && ssaoSquaredDistance(ray, t) <= radius * radius;
     highest = known ? max(highest, ssaoCosineAt(ray, t, lowest)) : highest;
   }
-  return highest;
+  return vec2(highest, inside / float(max(count, 1)));
 }
 
 float ssaoVisibility(vec2 pixel, vec4 center)
@@ -44,6 +48,7 @@ float ssaoVisibility(vec2 pixel, vec4 center)
   vec2 turn = vec2(noise.z, noise.w);
   float visible = float(0.0);
   float open = float(0.0);
+  float whole = float(0.0);
   for (int i = 0; i < directions; ++i)
   {
     SsaoSlice slice = ssaoSlice(across, up, viewer, normal, facet, turn);
@@ -51,16 +56,20 @@ float ssaoVisibility(vec2 pixel, vec4 center)
     vec2 reach = ssaoTrace(slice, positionVC, rayToPixel, perspective) * radius;
     float reachInPixels = length(reach);
     int count = min(steps, int(ceil(reachInPixels)));
-    float ahead = ssaoHorizonCosine(pixel, reach, reachInPixels, center.x, centerRay, facet, viewer,
+    vec2 ahead = ssaoHorizonCosine(pixel, reach, reachInPixels, center.x, centerRay, facet, viewer,
       slice.lowestAhead, noise.y, count);
-    float behind = ssaoHorizonCosine(pixel, -reach, reachInPixels, center.x, centerRay, facet, viewer,
+    vec2 behind = ssaoHorizonCosine(pixel, -reach, reachInPixels, center.x, centerRay, facet, viewer,
       slice.lowestBehind, noise.y, count);
     visible += slice.weight *
-      (ssaoArcMeasure(ahead, slice.normalCosine, slice.normalSine) +
-        ssaoArcMeasure(behind, slice.normalCosine, -slice.normalSine));
+      (ahead.y * ssaoArcMeasure(ahead.x, slice.normalCosine, slice.normalSine) +
+        behind.y * ssaoArcMeasure(behind.x, slice.normalCosine, -slice.normalSine));
     open += slice.weight *
+      (ahead.y * ssaoArcMeasure(slice.lowestAhead, slice.normalCosine, slice.normalSine) +
+        behind.y * ssaoArcMeasure(slice.lowestBehind, slice.normalCosine, -slice.normalSine));
+    whole += slice.weight *
       (ssaoArcMeasure(slice.lowestAhead, slice.normalCosine, slice.normalSine) +
         ssaoArcMeasure(slice.lowestBehind, slice.normalCosine, -slice.normalSine));
   }
+  ssaoCertainty = open / max(whole, float(0.000001));
   return open > float(0.000001) ? clamp(visible / open, float(0.0), float(1.0)) : float(1.0);
 }

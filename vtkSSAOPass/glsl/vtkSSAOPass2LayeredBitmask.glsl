@@ -7,7 +7,8 @@
 // With one contiguous arc to either side the result is that of ExactHorizon.
 //   pixel    position in the framebuffer
 //   center   the geometry there: (depth, packed normal, packed facet normal, 1)
-// Returns the visible share, 1 open. Samples outside the viewport are skipped.
+// Returns the visible share, 1 open. Samples outside the viewport are skipped, and what their side of
+// the slice weighs is less by their share.
 
 int ssaoNumberOfSectors(int sectors)
 {
@@ -57,6 +58,7 @@ struct SsaoSide
   float normalSine;       // of the projected normal's angle, positive where it leans to this side
   float sectorsPerMeasure;
   int hidden;             // sectors, as bits
+  float known;            // number of samples inside the picture
   vec3 first;             // the arcs of the sample before
   vec3 second;
   vec3 third;
@@ -71,6 +73,7 @@ SsaoSide ssaoSide(vec2 reach, float lowest, float normalCosine, float normalSine
   side.sectorsPerMeasure =
     float(30.0) / max(ssaoArcMeasureNear(lowest, normalCosine, normalSine), float(0.000001));
   side.hidden = 0;
+  side.known = float(0.0);
   // At first the surface itself, on the horizon.
   side.first = vec3(centerDepth, lowest, lowest);
   side.second = vec3(float(-1.0e30), lowest, lowest);
@@ -102,6 +105,7 @@ SsaoSide ssaoTakeSample(SsaoSide side, vec2 pixel, float share, float join, vec4
   vec3 secondJoined = ssaoJoin(ssaoJoin(second, side.first, join), side.second, join);
   vec3 thirdJoined = ssaoJoin(third, side.third, join);
   SsaoSide result = side;
+  result.known = side.known + (ssaoIsInViewport(at, viewport) ? float(1.0) : float(0.0));
   result.hidden = side.hidden |
     ssaoSectorsOf(firstJoined, normalCosine, side.normalSine, side.sectorsPerMeasure, jitter) |
     ssaoSectorsOf(secondJoined, normalCosine, side.normalSine, side.sectorsPerMeasure, jitter) |
@@ -135,6 +139,7 @@ float ssaoVisibility(vec2 pixel, vec4 center)
     (perspective * center.x + (float(1.0) - perspective));
   float visible = float(0.0);
   float open = float(0.0);
+  float whole = float(0.0);
   float sign = float(1.0);
   // Both sides of all slices in one loop, which keeps the program small: software rasterisers pay for
   // its length.
@@ -155,10 +160,13 @@ float ssaoVisibility(vec2 pixel, vec4 center)
       side = ssaoTakeSample(
         side, pixel, share, join, center, centerRay, facet, viewer, slice.normalCosine, noise.y);
     }
-    visible += slice.weight * ssaoVisibleMeasure(side);
-    open += slice.weight * float(30.0) / side.sectorsPerMeasure;
+    float weight = slice.weight * side.known / float(max(count, 1));
+    visible += weight * ssaoVisibleMeasure(side);
+    open += weight * float(30.0) / side.sectorsPerMeasure;
+    whole += slice.weight * float(30.0) / side.sectorsPerMeasure;
     turn = sign > float(0.0) ? turn : ssaoTurned(turn, sliceTurn);
     sign = -sign;
   }
+  ssaoCertainty = open / max(whole, float(0.000001));
   return open > float(0.000001) ? clamp(visible / open, float(0.0), float(1.0)) : float(1.0);
 }

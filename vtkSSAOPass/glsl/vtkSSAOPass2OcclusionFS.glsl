@@ -1,7 +1,7 @@
 //VTK::System::Dec
 //VTK::Output::Dec
 
-// Stage 2: geometry to (raw ambient visibility, depth); the depth is for the denoiser.
+// Stage 2: geometry to (raw ambient visibility, depth, certainty); the latter are for the denoiser.
 
 //SSAO::Functions
 //SSAO::View
@@ -51,6 +51,9 @@ vec4 ssaoMoreSolidsAt(vec2 pixel)
   return textureLod(moreSolids, pixel * texelSize, 0.0);
 }
 
+// Which share of what decides the visibility lay inside the picture; an estimator may set it.
+float ssaoCertainty = 1.0;
+
 //SSAO::Estimator
 
 void main()
@@ -60,5 +63,5 @@ void main()
     : gl_FragCoord.xy;
   vec4 center = ssaoGeometryAt(pixel);
   float visibility = center.x > 0.0 ? ssaoVisibility(pixel, center) : 1.0;
-  gl_FragData[0] = vec4(visibility, center.x, 0.0, 1.0);
+  gl_FragData[0] = vec4(visibility, center.x, ssaoCertainty, 1.0);
 }

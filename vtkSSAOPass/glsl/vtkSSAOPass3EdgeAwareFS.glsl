@@ -8,7 +8,7 @@
 //SSAO::Functions
 //SSAO::View
 
-uniform sampler2D visibility; // (raw ambient visibility, depth) of the estimated pixels
+uniform sampler2D visibility; // (raw ambient visibility, depth, certainty) of the estimated pixels
 uniform vec2 coarseTexelSize; // 1 / size of that texture
 uniform float downsampling;   // edge of the squares in pixels of which the first is estimated
 uniform vec4 estimated;       // x, y, width, height of what of it was drawn
@@ -33,8 +33,8 @@ void main()
     for (float i = -reach; i <= reach; i += 1.0)
     {
       vec2 at = clamp(gl_FragCoord.xy + vec2(i, j), low, high);
-      vec2 neighbour = textureLod(visibility, at * coarseTexelSize, 0.0).xy;
-      float weight = (abs(i) == reach ? border : 1.0) * rowWeight *
+      vec3 neighbour = textureLod(visibility, at * coarseTexelSize, 0.0).xyz;
+      float weight = (abs(i) == reach ? border : 1.0) * rowWeight * max(neighbour.z, 0.001) *
         ssaoPlaneWeight(plane, neighbour.y, (at - gl_FragCoord.xy) * downsampling);
       sum += weight * neighbour.x;
       weights += weight;
