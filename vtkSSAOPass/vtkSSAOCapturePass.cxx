@@ -231,8 +231,9 @@ void vtkSSAOCapturePass::DrawLayers(const vtkRenderState* s, const vtkSSAOView& 
   this->TexelSize = 1.0F / glm::vec2(view.TextureSize);
   this->Sheet = static_cast<float>(sheet);
   this->Reach = static_cast<float>(reach);
-  // A few roundings of float32; several samples per pixel are interpolated less exactly.
-  this->Margin = view.Samples > 0 ? 2.0e-5F : 1.0e-6F;
+  this->Margin = 1.0e-6F; // a few roundings of float32
+  // Of several samples per pixel one was taken, whose depth may be that at another place.
+  this->FirstKnown = view.Samples > 0 ? 0.0F : 1.0F;
   const int rendered = this->NumberOfRenderedProps;
   before->Activate();
   this->RenderHooked(s, true);
@@ -511,6 +512,7 @@ bool vtkSSAOCapturePass::SetShaderParameters(vtkShaderProgram* program,
     program->SetUniformf("ssaoSheet", this->Sheet);
     program->SetUniformf("ssaoReach", this->Reach);
     program->SetUniformf("ssaoMargin", this->Margin);
+    program->SetUniformf("ssaoFirstKnown", this->FirstKnown);
   }
   program->SetUniform3f("ssaoOccludableWeights", &this->Weights[0]);
   program->SetUniform4f("ssaoDepthOfWindowRows", &this->DepthOfWindow[0]);

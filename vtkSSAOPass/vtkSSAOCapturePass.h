@@ -150,6 +150,7 @@ private:
   float Sheet = 0.0F;
   float Reach = 0.0F;
   float Margin = 0.0F;
+  float FirstKnown = 1.0F;
   vtkTimeStamp ShadersChanged;
   vtkSmartPointer<vtkTextureObject> Geometry;
   vtkSmartPointer<vtkTextureObject> Occludable;

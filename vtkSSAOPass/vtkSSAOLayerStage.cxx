@@ -144,6 +144,7 @@ bool vtkSSAOLayerStage::FindSolids(
   program->SetUniformi("layers", outer->GetTextureUnit());
   program->SetUniformi("inner", inner->GetTextureUnit());
   program->SetUniform2f("texelSize", texelSize);
+  program->SetUniformi("firstKnown", view.Samples > 0 && this->Rounds > 0 ? 0 : 1);
   program->SetUniformi("rounds", this->Rounds);
   program->SetUniformf("reach", static_cast<float>(Reach(settings)));
   program->SetUniformf("sheet", static_cast<float>(settings.Sheet));

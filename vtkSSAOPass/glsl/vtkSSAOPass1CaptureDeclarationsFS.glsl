@@ -8,6 +8,7 @@ uniform float ssaoFrontSign;        // -1: the actor's transform mirrors, front 
 uniform sampler2D ssaoLayersBefore; // first round: the captured geometry, later: the layers before
 uniform float ssaoFirstRound;       // 1 in the first round
 uniform vec2 ssaoTexelSize;         // 1 / size of that texture
+uniform float ssaoFirstKnown;       // 0: the captured depth is not that at the pixel's centre
 uniform float ssaoMargin;           // share of a depth by which it may be rounded
 uniform float ssaoReach;            // how far behind the first surface layers matter, world units
 uniform float ssaoSheet;            // thickness of sprites, world units

@@ -4,9 +4,10 @@
 #if defined(SSAO_LIT)
   {
     vec4 ssaoKnown = textureLod(ssaoLayersBefore, gl_FragCoord.xy * ssaoTexelSize, 0.0);
-    // In the first round: behind the first surface; then between what is known.
+    // In the first round: behind the first surface, if it is known exactly; then between what is known.
+    float ssaoFirst = ssaoFirstKnown > 0.5 ? ssaoKnown.x : 0.0;
     vec4 ssaoBounds = ssaoFirstRound > 0.5
-      ? vec4(ssaoKnown.x, SSAO_NONE, ssaoKnown.x, SSAO_NONE)
+      ? vec4(ssaoFirst, SSAO_NONE, ssaoFirst, SSAO_NONE)
       : vec4(-ssaoKnown.x, abs(ssaoKnown.y), -ssaoKnown.z, abs(ssaoKnown.w));
 #if defined(SSAO_IMPOSTOR)
     vec2 ssaoEnds = vec2(ssaoDepth, ssaoExit);
@@ -17,7 +18,8 @@
     vec4 ssaoWithin = ssaoBounds * vec4(1.0 + ssaoMargin, 1.0 - ssaoMargin, 1.0 + ssaoMargin, 1.0 - ssaoMargin);
     bool ssaoIsFront = ssaoEnds.x > ssaoWithin.x && ssaoEnds.x < ssaoWithin.y;
     bool ssaoIsBack = ssaoEnds.y > ssaoWithin.z && ssaoEnds.y < ssaoWithin.w;
-    vec2 ssaoLimit = vec2(ssaoBounds.x, ssaoBounds.z) + ssaoReach;
+    vec2 ssaoLimit =
+      (ssaoFirstRound > 0.5 ? ssaoKnown.xx : vec2(ssaoBounds.x, ssaoBounds.z)) + ssaoReach;
     vec2 ssaoFar = vec2(ssaoEnds.x < ssaoLimit.x ? ssaoEnds.x : -ssaoEnds.x,
       ssaoEnds.y < ssaoLimit.y ? ssaoEnds.y : -ssaoEnds.y);
     gl_FragData[0] = vec4(ssaoIsFront ? vec2(-ssaoEnds.x, ssaoFar.x) : vec2(-SSAO_NONE),

@@ -12,6 +12,7 @@ uniform sampler2D layers;   // what lies behind it: -depth of the nearest front,
                             // front, -depth of the nearest back, depth of the farthest back
 uniform sampler2D inner;    // what lies between these, in the same way
 uniform vec2 texelSize;     // 1 / size of these textures
+uniform int firstKnown;     // 0: the first surface is among the layers, not in the geometry
 uniform int rounds;         // 0: neither of them is known, 1: inner is not
 uniform float reach;        // within which behind the first surface layers are known, world units
 uniform float sheet;        // thickness in world units of what has no known back
@@ -40,9 +41,11 @@ void main()
 
   // Merge the two lists; negative: a back.
   float depths[SSAO_LAYERS];
-  float facing = ssaoUnpackFacing(first.z);
-  depths[0] = first.x;
-  int count = first.x > 0.0 ? 1 : 0;
+  bool known = firstKnown == 1;
+  float facing = known ? ssaoUnpackFacing(first.z) : (fronts.x <= backs.x ? 1.0 : -1.0);
+  float nearestOfAll = known ? first.x : min(fronts.x, backs.x);
+  depths[0] = known ? first.x : 0.0;
+  int count = depths[0] > 0.0 ? 1 : 0;
   int insideAtEnd = ssaoInsideAfter(0, depths[0]);
   for (int i = 1; i < SSAO_LAYERS; ++i)
   {
@@ -56,7 +59,7 @@ void main()
   }
 
   // A ray with as many layers as can be told that does not get out again has lost some.
-  float pairs = count >= SSAO_LAYERS && insideAtEnd > 0 ? 1.0 : 0.0;
+  float pairs = count >= SSAO_LAYERS - (known ? 0 : 1) && insideAtEnd > 0 ? 1.0 : 0.0;
   SsaoSolids solids = ssaoNoSolids();
   for (int i = 0; i < SSAO_LAYERS; ++i)
   {
@@ -69,7 +72,7 @@ void main()
       solids = ssaoAddSolid(solids, abs(depths[i]), abs(depths[i]) + sheet);
     }
   }
-  float end = count == 1 ? none : first.x + reach;
+  float end = count == 1 ? none : nearestOfAll + reach;
   solids = sheetsOnly == 0 ? ssaoCloseSolids(solids, end, sheet, pairs) : solids;
   gl_FragData[0] = vec4(solids.first.x * facing, solids.first.yzw);
   gl_FragData[1] = solids.second;
