@@ -228,10 +228,15 @@ void vtkSSAOCapturePass::DrawLayers(const vtkRenderState* s, const vtkSSAOView& 
 {
   this->LayersBefore = before;
   this->FirstRound = first;
-  this->TexelSize = 1.0F / glm::vec2(view.TextureSize);
+  const glm::dvec2 size(before->GetWidth(), before->GetHeight());
+  const glm::dvec4 place = first ? view.PixelOfTexel : glm::dvec4(1.0, 1.0, 0.0, 0.0);
+  this->BeforePlace = place / glm::dvec4(size, size);
+  this->DeviceOfScene = view.DeviceOfScene;
   this->Sheet = static_cast<float>(sheet);
   this->Reach = static_cast<float>(reach);
-  this->Margin = 1.0e-6F; // a few roundings of float32
+  // A few roundings of float32; where the picture is not the one that was captured, the vertices
+  // are rounded to other fractions of a pixel.
+  this->Margin = glm::vec2(1.0e-6F, view.PixelOfTexel.x > 1.0 ? 0.05F : 0.0F);
   // Of several samples per pixel one was taken, whose depth may be that at another place.
   this->FirstKnown = view.Samples > 0 ? 0.0F : 1.0F;
   const int rendered = this->NumberOfRenderedProps;
@@ -257,6 +262,17 @@ void vtkSSAOCapturePass::RenderHooked(const vtkRenderState* s, bool layers)
   this->PreRender(&hooked);
   this->RenderProps(s, this->Captured);
   this->PostRender(&hooked);
+}
+
+//------------------------------------------------------------------------------
+bool vtkSSAOCapturePass::DrawsPointSprites() const
+{
+  return !std::all_of(this->Captured.begin(), this->Captured.end(),
+    [](vtkProp* prop)
+    {
+      return VisitActors(
+        prop, [](vtkActor* actor) { return !actor->GetProperty()->GetRenderPointsAsSpheres(); });
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -434,7 +450,7 @@ bool vtkSSAOCapturePass::PreReplaceShaderValues(std::string& /*vertexShader*/,
 }
 
 //------------------------------------------------------------------------------
-bool vtkSSAOCapturePass::PostReplaceShaderValues(std::string& /*vertexShader*/,
+bool vtkSSAOCapturePass::PostReplaceShaderValues(std::string& vertexShader,
   std::string& /*geometryShader*/, std::string& fragmentShader, vtkAbstractMapper* mapper,
   vtkProp* prop)
 {
@@ -475,6 +491,15 @@ bool vtkSSAOCapturePass::PostReplaceShaderValues(std::string& /*vertexShader*/,
     vtkShaderProgram::Substitute(fragmentShader, "//VTK::UniformFlow::Impl",
       std::string(vtkSSAOPass1CaptureFacetFS) + "  //VTK::UniformFlow::Impl", false);
   }
+  if (this->Layers)
+  {
+    // At the very end, behind all that may set the position.
+    vertexShader.insert(vertexShader.rfind('}'),
+      "  gl_Position.xy = gl_Position.xy * ssaoDeviceOfScene.xy +\n"
+      "    gl_Position.w * ssaoDeviceOfScene.zw;\n");
+    vtkShaderProgram::Substitute(
+      vertexShader, "void main()", "uniform vec4 ssaoDeviceOfScene;\nvoid main()", false);
+  }
   if (lit && pbr)
   {
     // The sums that VTK's text forms are split as they are formed.
@@ -508,10 +533,11 @@ bool vtkSSAOCapturePass::SetShaderParameters(vtkShaderProgram* program,
   {
     program->SetUniformi("ssaoLayersBefore", this->LayersBefore->GetTextureUnit());
     program->SetUniformf("ssaoFirstRound", this->FirstRound ? 1.0F : 0.0F);
-    program->SetUniform2f("ssaoTexelSize", &this->TexelSize[0]);
+    program->SetUniform4f("ssaoBeforePlace", &this->BeforePlace[0]);
+    program->SetUniform4f("ssaoDeviceOfScene", &this->DeviceOfScene[0]);
     program->SetUniformf("ssaoSheet", this->Sheet);
     program->SetUniformf("ssaoReach", this->Reach);
-    program->SetUniformf("ssaoMargin", this->Margin);
+    program->SetUniform2f("ssaoMargin", &this->Margin[0]);
     program->SetUniformf("ssaoFirstKnown", this->FirstKnown);
   }
   program->SetUniform3f("ssaoOccludableWeights", &this->Weights[0]);

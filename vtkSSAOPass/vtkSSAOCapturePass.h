@@ -83,6 +83,11 @@ public:
     bool first, double sheet, double reach);
 
   /**
+   * Whether a captured prop draws points as spheres, whose size VTK gives in pixels.
+   */
+  bool DrawsPointSprites() const;
+
+  /**
    * Draw what Capture left over, without capturing.
    */
   void RenderRemainder(const vtkRenderState* s);
@@ -146,10 +151,11 @@ private:
   std::vector<vtkProp*> Remainder;
   vtkTextureObject* LayersBefore = nullptr; // set while layers are drawn
   bool FirstRound = true;
-  glm::vec2 TexelSize = glm::vec2(1.0F);
+  glm::vec4 BeforePlace = glm::vec4(1.0F);
+  glm::vec4 DeviceOfScene = glm::vec4(1.0F);
   float Sheet = 0.0F;
   float Reach = 0.0F;
-  float Margin = 0.0F;
+  glm::vec2 Margin = glm::vec2(0.0F);
   float FirstKnown = 1.0F;
   vtkTimeStamp ShadersChanged;
   vtkSmartPointer<vtkTextureObject> Geometry;

@@ -115,8 +115,8 @@ bool vtkSSAODenoiseStage::DrawStep(const vtkSSAOView& view, const vtkSSAODenoise
   {
     stepView = view.Coarse(settings.Downsampling);
   }
-  const bool drawn =
-    target ? this->DrawToTexture(stepView, 2, *target) : this->DrawToOutput(stepView, 1);
+  const bool drawn = target ? this->DrawToTexture(stepView, 2, *target)
+                            : this->DrawToOutput(stepView, settings.Downsampling > 1 ? 2 : 1);
   visibility->Deactivate();
   geometry->Deactivate();
   return drawn;

@@ -57,10 +57,16 @@ unsigned long vtkSSAOLayerStage::GetTextureMemory() const
 }
 
 //------------------------------------------------------------------------------
-bool vtkSSAOLayerStage::Render(const vtkRenderState* s, const vtkSSAOView& view,
+bool vtkSSAOLayerStage::Render(const vtkRenderState* s, const vtkSSAOView& scene,
   vtkSSAOCapturePass* capture, const vtkSSAOLayerSettings& settings, vtkTextureObject* geometry)
 {
   const int rounds = (settings.Layers + 2) / 4;
+  // Only what is estimated needs layers as well; but the size of point sprites is a number of
+  // pixels, and without layers nothing would tell the depth at the place of a larger one.
+  const bool reduces = rounds > 0 && !capture->DrawsPointSprites();
+  const vtkSSAOView view = scene.Coarse(reduces ? settings.Downsampling : 1);
+  this->PixelOfTexel = view.PixelOfTexel;
+  this->Viewport = view.Viewport;
   vtkTextureObject* before = geometry;
   for (this->Rounds = 0; this->Rounds < rounds; ++this->Rounds)
   {
@@ -105,6 +111,10 @@ bool vtkSSAOLayerStage::DrawRound(const vtkRenderState* s, const vtkSSAOView& vi
     vtkOpenGLState::ScopedglClearColor clearColorSaver(state);
     vtkOpenGLState::ScopedglColorMask colorMaskSaver(state);
     vtkOpenGLState::ScopedglEnableDisable blendSaver(state, GL_BLEND);
+    vtkOpenGLState::ScopedglViewport viewportSaver(state);
+    vtkOpenGLState::ScopedglScissor scissorSaver(state);
+    state->vtkglViewport(view.Viewport.x, view.Viewport.y, view.Viewport.z, view.Viewport.w);
+    state->vtkglScissor(view.Drawn.x, view.Drawn.y, view.Drawn.z, view.Drawn.w);
     state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     state->vtkglClearColor(none, none, none, none);
     state->vtkglClear(GL_COLOR_BUFFER_BIT);
@@ -140,6 +150,9 @@ bool vtkSSAOLayerStage::FindSolids(
     input->Activate();
   }
   const float texelSize[2] = { 1.0F / view.TextureSize.x, 1.0F / view.TextureSize.y };
+  const glm::dvec2 size(geometry->GetWidth(), geometry->GetHeight());
+  const glm::vec4 geometryPlace = view.PixelOfTexel / glm::dvec4(size, size);
+  program->SetUniform4f("geometryPlace", &geometryPlace[0]);
   program->SetUniformi("geometry", geometry->GetTextureUnit());
   program->SetUniformi("layers", outer->GetTextureUnit());
   program->SetUniformi("inner", inner->GetTextureUnit());

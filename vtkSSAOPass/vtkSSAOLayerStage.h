@@ -16,6 +16,8 @@
 
 #include "vtkSSAOFullScreenStage.h"
 
+#include <glm/vec4.hpp>
+
 #include <array>
 
 class vtkRenderState;
@@ -25,6 +27,7 @@ class vtkSSAOCapturePass;
 struct vtkSSAOLayerSettings
 {
   int Layers = 5;          ///< the first surface included, up to vtkSSAOLayerStage::MostLayers
+  int Downsampling = 1;    ///< edge of the squares in pixels of which one is looked behind
   double Radius = 1.0;     ///< of the estimator, world units
   double Sheet = 0.0;      ///< thickness of what has no known back, world units
   bool SheetsOnly = false; ///< every surface has that thickness
@@ -59,6 +62,13 @@ public:
    */
   int GetNumberOfRounds() const { return this->Rounds; }
 
+  /**
+   * Where the solids' texels lie in the picture: (scale, offset) from them to pixels; and the
+   * texels of the viewport: (x, y, width, height).
+   */
+  const glm::vec4& GetPixelOfTexel() const { return this->PixelOfTexel; }
+  const glm::ivec4& GetViewport() const { return this->Viewport; }
+
   void ReleaseGraphicsResources(vtkWindow* window) override;
   unsigned long GetTextureMemory() const override;
 
@@ -74,6 +84,8 @@ private:
   vtkSmartPointer<vtkTextureObject> MoreSolids;
   vtkNew<vtkOpenGLFramebufferObject> LayerFramebuffer;
   int Rounds = 0;
+  glm::vec4 PixelOfTexel = glm::vec4(1.0F, 1.0F, 0.0F, 0.0F);
+  glm::ivec4 Viewport = glm::ivec4(0);
 };
 
 #endif

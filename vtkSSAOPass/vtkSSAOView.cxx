@@ -42,6 +42,8 @@ vtkSSAOView::vtkSSAOView(const vtkRenderState* state)
   , Viewport(0)
   , Drawn(0)
   , TextureSize(0)
+  , PixelOfTexel(1.0, 1.0, 0.0, 0.0)
+  , DeviceOfScene(1.0, 1.0, 0.0, 0.0)
   , Samples(0)
   , Clamped(true)
 {
@@ -119,6 +121,12 @@ vtkSSAOView vtkSSAOView::Coarse(int edge) const
     coarse.TextureSize = (this->TextureSize + edge - 1) / edge;
     coarse.Viewport =
       glm::ivec4(0, 0, (this->Viewport.z + edge - 1) / edge, (this->Viewport.w + edge - 1) / edge);
+    const glm::dvec2 size(this->Viewport.z, this->Viewport.w);
+    const glm::dvec2 coarseSize(coarse.Viewport.z, coarse.Viewport.w);
+    const glm::dvec2 place = glm::dvec2(this->Viewport) + 0.5 - 0.5 * edge;
+    coarse.PixelOfTexel = glm::dvec4(edge, edge, place.x, place.y);
+    const glm::dvec2 scale = size / (double(edge) * coarseSize);
+    coarse.DeviceOfScene = glm::dvec4(scale, scale + (1.0 - 1.0 / edge) / coarseSize - 1.0);
     // With the squares that are cut: their first pixels are estimated.
     const glm::ivec2 corner(this->Viewport);
     const glm::ivec2 first = (glm::ivec2(this->Drawn) - corner) / edge;

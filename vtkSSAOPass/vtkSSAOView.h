@@ -52,8 +52,10 @@ public:
   glm::ivec4 Viewport;                     ///< x, y, width, height in pixels of Framebuffer
   glm::ivec4 Drawn;                        ///< the part of Viewport in which stages draw
   glm::ivec2 TextureSize;                  ///< size of textures that share its pixel coordinates
-  int Samples;                             ///< samples per pixel of Framebuffer, 0 for one
-  bool Clamped;                            ///< whether Framebuffer holds colours up to 1 only
+  glm::dvec4 PixelOfTexel;  ///< (scale, offset): pixel of Framebuffer at a texel's centre
+  glm::dvec4 DeviceOfScene; ///< (scale, offset): of normalized device coordinates
+  int Samples;              ///< samples per pixel of Framebuffer, 0 for one
+  bool Clamped;             ///< whether Framebuffer holds colours up to 1 only
   vtkSSAOProjection Projection;
 
 private:

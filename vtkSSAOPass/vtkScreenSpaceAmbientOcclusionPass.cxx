@@ -208,30 +208,28 @@ public:
   vtkSSAOLayerStage Layers;
   vtkSSAOOcclusionStage Occlusion;
   vtkSSAODenoiseStage Denoise;
+  vtkSSAOOcclusionStage Refine;
   vtkSSAOModulateStage Modulate;
   vtkSSAODisplayStage Display;
 
   double EffectiveRadius = -1.0;
   vtkTextureObject* Geometry = nullptr;   ///< of this frame, one sample per pixel
   vtkTextureObject* Visibility = nullptr; ///< of this frame, denoised
-  vtkTextureObject* Solids = nullptr;     ///< of this frame, if the estimator needs them
-  vtkTextureObject* MoreSolids = nullptr; ///< of this frame, their second half
+  bool HasSolids = false;                 ///< whether the layer stage holds this frame's
   glm::ivec4 Viewport = glm::ivec4(0);    ///< of this frame within these textures
   glm::ivec4 Estimated = glm::ivec4(0);   ///< part of this frame's estimated pixels that was drawn
   bool Reused = false;                    ///< whether this frame's visibility is the last one's
   std::vector<double> Frame;              ///< what the last visibility depends on
   vtkSmartPointer<vtkTextureObject> LastVisibility;
-  vtkSmartPointer<vtkTextureObject> LastSolids;
-  vtkSmartPointer<vtkTextureObject> LastMoreSolids;
   bool Warned = false;
   vtkWeakPointer<vtkWindow> Window; ///< whose context the textures and programs belong to
   std::array<double, NumberOfStages> Times{};
   std::chrono::steady_clock::time_point StageStart;
 
-  std::array<const vtkSSAOFullScreenStage*, 6> FullScreenStages() const
+  std::array<const vtkSSAOFullScreenStage*, 7> FullScreenStages() const
   {
-    return { &this->Resolve, &this->Layers, &this->Occlusion, &this->Denoise, &this->Modulate,
-      &this->Display };
+    return { &this->Resolve, &this->Layers, &this->Occlusion, &this->Denoise, &this->Refine,
+      &this->Modulate, &this->Display };
   }
 
   void ReleaseGraphicsResources(vtkWindow* window)
@@ -244,16 +242,14 @@ public:
     this->Layers.ReleaseGraphicsResources(window);
     this->Occlusion.ReleaseGraphicsResources(window);
     this->Denoise.ReleaseGraphicsResources(window);
+    this->Refine.ReleaseGraphicsResources(window);
     this->Modulate.ReleaseGraphicsResources(window);
     this->Display.ReleaseGraphicsResources(window);
     this->Geometry = nullptr;
     this->Visibility = nullptr;
-    this->Solids = nullptr;
-    this->MoreSolids = nullptr;
+    this->HasSolids = false;
     this->Frame.clear();
     this->LastVisibility = nullptr;
-    this->LastSolids = nullptr;
-    this->LastMoreSolids = nullptr;
   }
 };
 
@@ -274,8 +270,7 @@ void vtkScreenSpaceAmbientOcclusionPass::Render(const vtkRenderState* s)
   Pipeline& stages = *this->Stages;
   stages.Geometry = nullptr;
   stages.Visibility = nullptr;
-  stages.Solids = nullptr;
-  stages.MoreSolids = nullptr;
+  stages.HasSolids = false;
   stages.Reused = false;
   stages.Times.fill(0.0);
   this->FollowWindow(s->GetRenderer()->GetVTKWindow());
@@ -377,7 +372,7 @@ int vtkScreenSpaceAmbientOcclusionPass::RenderOpaqueWithOcclusion(const vtkRende
   const bool shaded = nothingToShade ||
     ((this->ReuseVisibility(view) ||
        (this->FindLayers(s, view) && this->ComputeOcclusion(view) && this->RemoveNoise(view) &&
-         this->KeepVisibility())) &&
+         this->RefineEdges(view) && this->KeepVisibility())) &&
       this->ModulateLight(view));
   if (!shaded)
   {
@@ -437,8 +432,7 @@ bool vtkScreenSpaceAmbientOcclusionPass::ReuseVisibility(const vtkSSAOView& view
   if (stages.Reused)
   {
     stages.Visibility = stages.LastVisibility;
-    stages.Solids = stages.LastSolids;
-    stages.MoreSolids = stages.LastMoreSolids;
+    stages.HasSolids = vtkSSAOOcclusionSettings::Of(this).LooksBehind();
     return true;
   }
   stages.Frame = frame;
@@ -451,8 +445,6 @@ bool vtkScreenSpaceAmbientOcclusionPass::KeepVisibility()
 {
   Pipeline& stages = *this->Stages;
   stages.LastVisibility = stages.Visibility;
-  stages.LastSolids = stages.Solids;
-  stages.LastMoreSolids = stages.MoreSolids;
   return true;
 }
 
@@ -468,14 +460,13 @@ bool vtkScreenSpaceAmbientOcclusionPass::FindLayers(
   }
   vtkSSAOLayerSettings layers;
   layers.Layers = settings.Layers;
+  layers.Downsampling = settings.Downsampling;
   layers.Radius = settings.Radius;
   layers.Sheet = settings.Sheet;
   layers.SheetsOnly = settings.SheetsOnly;
-  const bool drawn = stages.Layers.Render(s, view, stages.Capture, layers, stages.Geometry);
-  stages.Solids = drawn ? stages.Layers.GetSolids() : nullptr;
-  stages.MoreSolids = drawn ? stages.Layers.GetMoreSolids() : nullptr;
+  stages.HasSolids = stages.Layers.Render(s, view, stages.Capture, layers, stages.Geometry);
   this->TimeStage(LayersStage, view);
-  return drawn;
+  return stages.HasSolids;
 }
 
 //------------------------------------------------------------------------------
@@ -496,15 +487,15 @@ bool vtkScreenSpaceAmbientOcclusionPass::ComputeOcclusion(const vtkSSAOView& vie
 bool vtkScreenSpaceAmbientOcclusionPass::RemoveNoise(const vtkSSAOView& view)
 {
   Pipeline& stages = *this->Stages;
-  const bool interpolates = this->Denoiser == EdgeAware && this->Downsampling > 1;
-  if (this->Denoiser == None || (this->NoiseSize == 1 && !interpolates))
+  const int downsampling = vtkSSAOOcclusionSettings::Of(this).Downsampling;
+  if (this->Denoiser == None || (this->NoiseSize == 1 && downsampling == 1))
   {
     return true;
   }
   vtkSSAODenoiseSettings settings;
   settings.Denoiser = this->Denoiser;
   settings.NoiseSize = this->NoiseSize;
-  settings.Downsampling = interpolates ? this->Downsampling : 1;
+  settings.Downsampling = downsampling;
   settings.Radius = stages.EffectiveRadius;
   if (!stages.Denoise.Render(view, settings, stages.Geometry, stages.Visibility))
   {
@@ -512,6 +503,24 @@ bool vtkScreenSpaceAmbientOcclusionPass::RemoveNoise(const vtkSSAOView& view)
   }
   stages.Visibility = stages.Denoise.GetOutput();
   this->TimeStage(DenoiseStage, view);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkScreenSpaceAmbientOcclusionPass::RefineEdges(const vtkSSAOView& view)
+{
+  Pipeline& stages = *this->Stages;
+  const vtkSSAOOcclusionSettings settings = vtkSSAOOcclusionSettings::Of(this);
+  if (!this->Refinement || settings.Downsampling == 1)
+  {
+    return true;
+  }
+  if (!stages.Refine.Render(view, settings, stages.Geometry, stages.Layers, stages.Visibility))
+  {
+    return false;
+  }
+  stages.Visibility = stages.Refine.GetOutput();
+  this->TimeStage(RefineStage, view);
   return true;
 }
 
@@ -616,8 +625,8 @@ int vtkScreenSpaceAmbientOcclusionPass::GetNumberOfEstimatedPixels() const
 //------------------------------------------------------------------------------
 int vtkScreenSpaceAmbientOcclusionPass::GetNumberOfLayerDrawings() const
 {
-  return this->Stages->Solids && !this->Stages->Reused ? this->Stages->Layers.GetNumberOfRounds()
-                                                       : 0;
+  return this->Stages->HasSolids && !this->Stages->Reused ? this->Stages->Layers.GetNumberOfRounds()
+                                                          : 0;
 }
 
 //------------------------------------------------------------------------------
@@ -667,9 +676,11 @@ bool vtkScreenSpaceAmbientOcclusionPass::GetGeometry(vtkImageData* image)
 bool vtkScreenSpaceAmbientOcclusionPass::GetSolids(vtkImageData* image)
 {
   const Pipeline& stages = *this->Stages;
-  const glm::ivec4 viewport = stages.Viewport;
-  const std::vector<float> first = Download(stages.Solids, viewport);
-  const std::vector<float> second = Download(stages.MoreSolids, viewport);
+  const glm::ivec4 viewport = stages.Layers.GetViewport();
+  const std::vector<float> first =
+    Download(stages.HasSolids ? stages.Layers.GetSolids() : nullptr, viewport);
+  const std::vector<float> second =
+    Download(stages.HasSolids ? stages.Layers.GetMoreSolids() : nullptr, viewport);
   if (first.empty() || second.empty())
   {
     return false;
@@ -739,7 +750,7 @@ void vtkScreenSpaceAmbientOcclusionPass::SetRadius(double radius)
 
 //------------------------------------------------------------------------------
 void vtkScreenSpaceAmbientOcclusionPass::SetQuality(
-  int estimator, int directions, int steps, int noiseSize, int downsampling)
+  int estimator, int directions, int steps, int noiseSize, bool refinement)
 {
   this->SetEstimator(estimator);
   this->SetDirections(directions);
@@ -747,26 +758,27 @@ void vtkScreenSpaceAmbientOcclusionPass::SetQuality(
   this->SetLayers(5);
   this->SetThickness(0.0);
   this->SetNoiseSize(noiseSize);
-  this->SetDownsampling(downsampling);
+  this->SetDownsampling(2);
+  this->SetRefinement(refinement);
   this->SetDenoiserToEdgeAware();
 }
 
 //------------------------------------------------------------------------------
 void vtkScreenSpaceAmbientOcclusionPass::SetQualityToFast()
 {
-  this->SetQuality(ExactHorizon, 1, 8, 4, 2);
+  this->SetQuality(ExactHorizon, 1, 8, 4, false);
 }
 
 //------------------------------------------------------------------------------
 void vtkScreenSpaceAmbientOcclusionPass::SetQualityToBalanced()
 {
-  this->SetQuality(LayeredBitmask, 2, 6, 4, 2);
+  this->SetQuality(LayeredBitmask, 2, 6, 4, false);
 }
 
 //------------------------------------------------------------------------------
 void vtkScreenSpaceAmbientOcclusionPass::SetQualityToAccurate()
 {
-  this->SetQuality(LayeredBitmask, 4, 12, 3, 2);
+  this->SetQuality(LayeredBitmask, 4, 12, 3, true);
 }
 
 //------------------------------------------------------------------------------
@@ -779,6 +791,7 @@ void vtkScreenSpaceAmbientOcclusionPass::SetEstimator(int estimator)
     // What the sources have, not what a preset of ours left.
     this->SetNoiseSize(4);
     this->SetDownsampling(1);
+    this->SetRefinement(false);
     this->SetDirections(6);
     this->SetSteps(4);
   }
@@ -946,6 +959,7 @@ void vtkScreenSpaceAmbientOcclusionPass::PrintSelf(ostream& os, vtkIndent indent
   os << indent << "Attenuation: " << this->Attenuation << "\n";
   os << indent << "NoiseSize: " << this->NoiseSize << "\n";
   os << indent << "Downsampling: " << this->Downsampling << "\n";
+  os << indent << "Refinement: " << (this->Refinement ? "on" : "off") << "\n";
   os << indent << "Bias: " << this->Bias << (this->Bias < 0.0 ? " (automatic)" : "") << "\n";
   os << indent << "EffectiveBias: " << this->GetEffectiveBias() << "\n";
   os << indent << "Denoiser: " << this->Denoiser << "\n";

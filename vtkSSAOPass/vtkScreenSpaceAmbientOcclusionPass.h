@@ -110,12 +110,13 @@ public:
 
   ///@{
   /**
-   * Choose estimator, Directions, Steps, Layers, Thickness, NoiseSize, Downsampling and denoiser
-   * together. Balanced is the default. Each control may be changed afterwards. All estimate one of
-   * 2 x 2 pixels and interpolate.
+   * Choose estimator, Directions, Steps, Layers, Thickness, NoiseSize, Downsampling, Refinement and
+   * denoiser together. Balanced is the default. Each control may be changed afterwards. All
+   * estimate one of 2 x 2 pixels and interpolate.
    * - Fast: ExactHorizon, 1 slice of 2 x 8 samples, noise tile 4.
    * - Balanced: LayeredBitmask, 2 slices of 2 x 6 samples, 5 layers, noise tile 4.
-   * - Accurate: LayeredBitmask, 4 slices of 2 x 12 samples, 5 layers, noise tile 3.
+   * - Accurate: LayeredBitmask, 4 slices of 2 x 12 samples, 5 layers, noise tile 3,
+   *   refinement.
    */
   void SetQualityToFast();
   void SetQualityToBalanced();
@@ -159,7 +160,8 @@ public:
    * "Screen Space Indirect Lighting with Visibility Bitmask", 2023). The default.
    *
    * Changing to one of the first seven, which stand for a source's system, also sets what a preset
-   * may have left otherwise: NoiseSize 4, Downsampling 1, Directions 6, Steps 4.
+   * may have left otherwise: NoiseSize 4, Downsampling 1, no Refinement, Directions 6,
+   * Steps 4.
    * An unknown value is refused with an error.
    */
   void SetEstimator(int estimator);
@@ -314,6 +316,17 @@ public:
 
   ///@{
   /**
+   * With Downsampling: where the interpolated visibility of a pixel came mostly from other surfaces
+   * than its own, it is estimated at the pixel itself, with all samples and without denoising.
+   * Matters where things are a few pixels wide. Default off.
+   */
+  vtkSetMacro(Refinement, bool);
+  vtkGetMacro(Refinement, bool);
+  vtkBooleanMacro(Refinement, bool);
+  ///@}
+
+  ///@{
+  /**
    * How far the captured surface must lie in front of a sample point to hide it, in world units:
    * CrytekSphere, PositionSphere, DepthSphere, Hemisphere, HemisphereLinearDepth. Automatic by
    * default, GetBias() is then -1: 0.05 x the effective radius for Hemisphere, as in its source,
@@ -454,8 +467,9 @@ public:
     LayersStage = 1,
     OcclusionStage = 2,
     DenoiseStage = 3,
-    ModulateStage = 4,
-    NumberOfStages = 5
+    RefineStage = 4,
+    ModulateStage = 5,
+    NumberOfStages = 6
   };
 
   ///@{
@@ -545,6 +559,7 @@ private:
   double Attenuation = 1.0;
   int NoiseSize = 4;
   int Downsampling = 1;
+  bool Refinement = false;
   double Bias = -1.0;
   int Denoiser = EdgeAware;
   int Modulation = AmbientAndDiffuse;
@@ -570,6 +585,7 @@ private:
   bool FindLayers(const vtkRenderState* s, const vtkSSAOView& view);
   bool ComputeOcclusion(const vtkSSAOView& view);
   bool RemoveNoise(const vtkSSAOView& view);
+  bool RefineEdges(const vtkSSAOView& view);
   bool ModulateLight(const vtkSSAOView& view);
   void DisplayBuffers(const vtkRenderState* s);
 
@@ -577,7 +593,7 @@ private:
   void UpdateEffectiveRadius(vtkRenderer* renderer);
   void WarnOnce(const char* reason);
   void TimeStage(int stage, const vtkSSAOView& view);
-  void SetQuality(int estimator, int directions, int steps, int noiseSize, int downsampling);
+  void SetQuality(int estimator, int directions, int steps, int noiseSize, bool refinement);
   template <typename Value>
   void SetInRange(const char* name, Value& variable, double value, double low, double high);
 };

@@ -67,6 +67,7 @@ std::vector<Parameter> Parameters()
     PARAMETER(Directions, 2.0, true, { 1, 7, 64 }, { 0, -1, 65, 2147483647 }),
     PARAMETER(Steps, 6.0, true, { 1, 7, 64 }, { 0, -1, 65, 2147483647 }),
     PARAMETER(AngleBias, 30.0, false, { 0.0, 45.0, 89.0 }, with({ -0.1, 89.5, 90.0 })),
+    PARAMETER(Refinement, 0.0, true, { 0, 1 }, {}),
     PARAMETER(HalfRule, 1.0, true, { 0, 1 }, {}),
     PARAMETER(RangeCheck, 1.0, true, { 0, 1 }, {}),
     PARAMETER(MinimumDifference, 0.01, false, { 0.0, 0.5, 1.0 }, with({ -0.01, 1.01 })),
@@ -151,6 +152,7 @@ void TestOthers(vtkSSAOTestMonitor& test)
     test.ExpectEqual(pass->GetSteps(), wanted[preset][2], "steps of a preset");
     test.ExpectEqual(pass->GetNoiseSize(), wanted[preset][3], "noise size of a preset");
     test.ExpectEqual(pass->GetDownsampling(), wanted[preset][4], "downsampling of a preset");
+    test.ExpectEqual(pass->GetRefinement(), preset == 2, "refinement of a preset");
     test.ExpectEqual(pass->GetLayers(), 5, "layers of a preset");
     test.ExpectEqual(pass->GetThickness(), 0.0, "thickness of a preset");
     test.ExpectEqual(pass->GetDenoiser(), Pass::EdgeAware, "denoiser of a preset");
@@ -164,10 +166,12 @@ void TestOthers(vtkSSAOTestMonitor& test)
     const bool slices = estimator >= Pass::ExactHorizon;
     pass->SetQualityToFast();
     pass->SetNoiseSize(7);
+    pass->RefinementOn();
     pass->SetEstimator(estimator);
     const std::string what = "after changing to estimator " + std::to_string(estimator);
     test.ExpectEqual(pass->GetNoiseSize(), slices ? 7 : 4, "noise size " + what);
     test.ExpectEqual(pass->GetDownsampling(), slices ? 2 : 1, "downsampling " + what);
+    test.ExpectEqual(pass->GetRefinement(), slices, "refinement " + what);
     test.ExpectEqual(pass->GetDirections(), slices ? 1 : 6, "directions " + what);
     test.ExpectEqual(pass->GetSteps(), slices ? 8 : 4, "steps " + what);
     if (!slices)
@@ -212,6 +216,7 @@ void TestPrintSelf(vtkSSAOTestMonitor& test)
   pass->SetLayers(7);
   pass->SetThickness(0.1875);
   pass->SetDownsampling(3);
+  pass->RefinementOn();
   pass->SetNoiseSize(9);
   pass->SetIntensity(1.25);
   pass->SetPower(3.125);
@@ -226,7 +231,7 @@ void TestPrintSelf(vtkSSAOTestMonitor& test)
     { "Directions", "11" }, { "Steps", "13" }, { "AngleBias", "12.5" }, { "HalfRule", "off" },
     { "RangeCheck", "off" }, { "MinimumDifference", "0.03125" }, { "Falloff", "2" },
     { "Attenuation", "1.75" }, { "NoiseSize", "9" }, { "Layers", "7" }, { "Thickness", "0.1875" },
-    { "Downsampling", "3" }, { "Bias", "0.0625" }, { "Denoiser", "" }, { "Modulation", "" },
+    { "Downsampling", "3" }, { "Refinement", "on" }, { "Bias", "0.0625" }, { "Denoiser", "" }, { "Modulation", "" },
     { "Intensity", "1.25" }, { "Power", "3.125" }, { "IntensityScale", "2.375" },
     { "IntensityShift", "-0.4375" }, { "OutputMode", "" }, { "DepthFormat", "42" },
     { "VolumeOpacityThreshold", "0.8125" }, { "StageTiming", "" } };

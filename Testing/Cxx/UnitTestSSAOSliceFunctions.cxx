@@ -33,7 +33,7 @@ using Scalar = float;
 #include "glsl/vtkSSAOPass0SliceFunctions.glsl"
 struct Estimator
 {
-  vec4 viewport, drawn, pixelToRay, rayToPixel, rayOffset;
+  vec4 viewport, drawn, pixelToRay, rayToPixel, rayOffset, solidsPlace;
   vec2 depthSlope, sliceTurn;
   float perspective, radius, sheet;
   float ssaoCertainty = 1.0f;
@@ -56,7 +56,7 @@ using Scalar = double;
 #include "glsl/vtkSSAOPass0SliceFunctions.glsl"
 struct Estimator
 {
-  vec4 viewport, drawn, pixelToRay, rayToPixel, rayOffset;
+  vec4 viewport, drawn, pixelToRay, rayToPixel, rayOffset, solidsPlace;
   vec2 depthSlope, sliceTurn;
   float perspective, radius, sheet;
   float ssaoCertainty = 1.0f;

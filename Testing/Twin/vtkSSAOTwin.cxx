@@ -61,6 +61,7 @@ struct OcclusionShader
   const std::vector<glm::vec4>* kernel;
   const std::vector<glm::vec4>* noise;
   const std::vector<glm::vec4>* solids; // two for each pixel
+  vec4 solidsPlace;                     // (scale, offset): pixel of a texel of these
 
   // Index of the nearest texel, clamped to the edge.
   std::size_t TexelAt(const vec2& pixel) const
@@ -81,14 +82,14 @@ struct OcclusionShader
     return texel;
   }
 
-  vec4 ssaoSolidsAt(const vec2& pixel) const
+  vec4 ssaoSolidsAt(const vec2& texel) const
   {
-    return vec4((*solids)[2 * this->TexelAt(pixel)]) * depthScale;
+    return vec4((*solids)[2 * this->TexelAt(texel)]) * depthScale;
   }
 
-  vec4 ssaoMoreSolidsAt(const vec2& pixel) const
+  vec4 ssaoMoreSolidsAt(const vec2& texel) const
   {
-    return vec4((*solids)[2 * this->TexelAt(pixel) + 1]) * depthScale;
+    return vec4((*solids)[2 * this->TexelAt(texel) + 1]) * depthScale;
   }
 
   vec3 ssaoKernelAt(int index) const { return vec3(vec4((*kernel)[index])); }
@@ -263,6 +264,7 @@ std::vector<double> vtkSSAOTwin::Visibility(
   uniforms.sliceTurn = glm::dvec2(std::cos(settings.SliceAngle()), std::sin(settings.SliceAngle()));
   uniforms.sheet = settings.Sheet;
   uniforms.solids = &this->Solids;
+  uniforms.solidsPlace = glm::dvec4(1.0, 1.0, 0.0, 0.0);
   uniforms.noiseTile = settings.NoiseSize;
   uniforms.depthScale = 1.0 + disturbance.Depth;
   uniforms.geometry = &this->Geometry;

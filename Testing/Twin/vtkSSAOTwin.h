@@ -42,7 +42,8 @@ public:
   vtkSSAOTwin(vtkImageData* geometry, vtkCamera* camera);
 
   /**
-   * What LayeredBitmask needs besides: the solids as the pass's GetSolids gives them.
+   * What LayeredBitmask needs besides: the solids as the pass's GetSolids gives them, with
+   * Downsampling 1.
    */
   void SetSolids(vtkImageData* solids);
 

@@ -7,9 +7,9 @@ uniform float ssaoFrontSign;        // -1: the actor's transform mirrors, front 
 #define SSAO_NONE 1.0e30
 uniform sampler2D ssaoLayersBefore; // first round: the captured geometry, later: the layers before
 uniform float ssaoFirstRound;       // 1 in the first round
-uniform vec2 ssaoTexelSize;         // 1 / size of that texture
+uniform vec4 ssaoBeforePlace;       // (scale, offset): place in that texture of a place on the screen
 uniform float ssaoFirstKnown;       // 0: the captured depth is not that at the pixel's centre
-uniform float ssaoMargin;           // share of a depth by which it may be rounded
+uniform vec2 ssaoMargin;            // by which a depth may be off: share of it, share of its change to the next pixel
 uniform float ssaoReach;            // how far behind the first surface layers matter, world units
 uniform float ssaoSheet;            // thickness of sprites, world units
 #endif

@@ -3,7 +3,8 @@
   // nearest and the farthest within reach remain, or, if none is within reach, the next.
 #if defined(SSAO_LIT)
   {
-    vec4 ssaoKnown = textureLod(ssaoLayersBefore, gl_FragCoord.xy * ssaoTexelSize, 0.0);
+    vec4 ssaoKnown = textureLod(
+      ssaoLayersBefore, gl_FragCoord.xy * ssaoBeforePlace.xy + ssaoBeforePlace.zw, 0.0);
     // In the first round: behind the first surface, if it is known exactly; then between what is known.
     float ssaoFirst = ssaoFirstKnown > 0.5 ? ssaoKnown.x : 0.0;
     vec4 ssaoBounds = ssaoFirstRound > 0.5
@@ -15,7 +16,12 @@
     vec2 ssaoEnds = vec2(ssaoFacing > 0.0 ? ssaoDepth : SSAO_NONE, ssaoFacing > 0.0 ? SSAO_NONE : ssaoDepth);
 #endif
     // The surface that set a bound must not pass it, though it may come out rounded otherwise here.
-    vec4 ssaoWithin = ssaoBounds * vec4(1.0 + ssaoMargin, 1.0 - ssaoMargin, 1.0 + ssaoMargin, 1.0 - ssaoMargin);
+#if defined(SSAO_IMPOSTOR)
+    float ssaoOff = ssaoMargin.x * ssaoDepth;
+#else
+    float ssaoOff = ssaoMargin.x * ssaoDepth + ssaoMargin.y * fwidth(ssaoDepth);
+#endif
+    vec4 ssaoWithin = ssaoBounds + vec4(ssaoOff, -ssaoOff, ssaoOff, -ssaoOff);
     bool ssaoIsFront = ssaoEnds.x > ssaoWithin.x && ssaoEnds.x < ssaoWithin.y;
     bool ssaoIsBack = ssaoEnds.y > ssaoWithin.z && ssaoEnds.y < ssaoWithin.w;
     vec2 ssaoLimit =

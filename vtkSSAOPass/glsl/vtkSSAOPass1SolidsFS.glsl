@@ -11,7 +11,8 @@ uniform sampler2D geometry; // (depth, packed normal, packed facet normal, 1); d
 uniform sampler2D layers;   // what lies behind it: -depth of the nearest front, depth of the farthest
                             // front, -depth of the nearest back, depth of the farthest back
 uniform sampler2D inner;    // what lies between these, in the same way
-uniform vec2 texelSize;     // 1 / size of these textures
+uniform vec2 texelSize;     // 1 / size of the latter
+uniform vec4 geometryPlace; // (scale, offset): place in the first of a place in the latter, in texels
 uniform int firstKnown;     // 0: the first surface is among the layers, not in the geometry
 uniform int rounds;         // 0: neither of them is known, 1: inner is not
 uniform float reach;        // within which behind the first surface layers are known, world units
@@ -33,7 +34,7 @@ vec4 sorted(vec2 outer, vec2 inside)
 void main()
 {
   vec2 at = gl_FragCoord.xy * texelSize;
-  vec4 first = textureLod(geometry, at, 0.0);
+  vec4 first = textureLod(geometry, gl_FragCoord.xy * geometryPlace.xy + geometryPlace.zw, 0.0);
   vec4 outer = rounds > 0 ? textureLod(layers, at, 0.0) : vec4(-none);
   vec4 inside = rounds > 1 ? textureLod(inner, at, 0.0) : vec4(-none);
   vec4 fronts = sorted(outer.xy, inside.xy);

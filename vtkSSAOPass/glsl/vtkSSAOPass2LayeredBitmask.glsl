@@ -87,7 +87,10 @@ SsaoSide ssaoSide(vec2 reach, float lowest, float normalCosine, float normalSine
 SsaoSide ssaoTakeSample(SsaoSide side, vec2 pixel, float share, float join, vec4 center,
   vec2 centerRay, vec3 facet, vec3 viewer, float normalCosine, float jitter)
 {
-  vec2 at = floor(pixel + side.reach * share) + vec2(float(0.5), float(0.5));
+  vec2 place = vec2(solidsPlace.z, solidsPlace.w);
+  vec2 edge = vec2(solidsPlace.x, solidsPlace.y);
+  vec2 texel = floor((pixel + side.reach * share - place) / edge) + vec2(float(0.5), float(0.5));
+  vec2 at = texel * edge + place;
   SsaoRay ray = ssaoRayOf(
     ssaoTransform2(pixelToRay, at - pixel), center.x, centerRay, facet, viewer, perspective);
   float inverse = float(1.0) / ray.squares.z;
@@ -96,7 +99,7 @@ SsaoSide ssaoTakeSample(SsaoSide side, vec2 pixel, float share, float join, vec4
   float halfLength = ssaoIsInViewport(at, drawn) ? sqrt(max(squaredHalf, float(0.0))) : float(0.0);
   vec2 ball = vec2(middle - halfLength, middle + halfLength);
   SsaoStretches solids =
-    ssaoStretchesSeen(ssaoSolidsAt(at), ssaoMoreSolidsAt(at), ssaoUnpackFacing(center.z), sheet);
+    ssaoStretchesSeen(ssaoSolidsAt(texel), ssaoMoreSolidsAt(texel), ssaoUnpackFacing(center.z), sheet);
   vec3 first = ssaoHiddenArc(ray, solids.first, center.x, ball, side.lowest);
   vec3 second = ssaoHiddenArc(ray, solids.second, center.x, ball, side.lowest);
   vec3 third = ssaoHiddenArc(ray, solids.third, center.x, ball, side.lowest);
@@ -135,7 +138,7 @@ float ssaoVisibility(vec2 pixel, vec4 center)
   vec3 up = cross(viewer, across);
   vec4 noise = ssaoNoiseAt(pixel);
   vec2 turn = vec2(noise.z, noise.w);
-  float footprint = length(vec2(pixelToRay.x, pixelToRay.z)) *
+  float footprint = solidsPlace.x * length(vec2(pixelToRay.x, pixelToRay.z)) *
     (perspective * center.x + (float(1.0) - perspective));
   float visible = float(0.0);
   float open = float(0.0);
@@ -147,7 +150,7 @@ float ssaoVisibility(vec2 pixel, vec4 center)
   {
     SsaoSlice slice = ssaoSlice(across, up, viewer, normal, facet, turn);
     vec2 reach = ssaoTrace(slice, positionVC, rayToPixel, perspective) * radius;
-    float reachInPixels = length(reach);
+    float reachInPixels = length(reach) / solidsPlace.x;
     SsaoSide side = ssaoSide(reach * sign, sign > float(0.0) ? slice.lowestAhead : slice.lowestBehind,
       slice.normalCosine, slice.normalSine * sign, center.x);
     float shareBefore = float(0.0);

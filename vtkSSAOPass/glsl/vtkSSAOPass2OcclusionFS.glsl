@@ -1,26 +1,35 @@
 //VTK::System::Dec
 //VTK::Output::Dec
 
-// Stage 2: geometry to (raw ambient visibility, depth, certainty); the latter are for the denoiser.
+// Stage 2: geometry to (raw ambient visibility, depth, certainty); the latter are for the denoiser. Or,
+// with SSAO_REFINED, to the ambient visibility that was interpolated, except where that came from
+// other surfaces.
 
+//SSAO::Refined
 //SSAO::Functions
 //SSAO::View
 
 uniform float radius;            // world units
 uniform float bias;              // world units
-uniform int kernelSize;          // number of sample points
+uniform int samplesInKernel;     // number of sample points
 uniform int rangeCheck;          // 1: occluders far in front of the surface count less
 uniform int halfRule;            // CrytekSphere, 1: only what is hidden beyond one half counts
 uniform float minimumDifference; // ReflectedHemisphere: share of the radius
 uniform float falloffExponent;   // ReflectedHemisphere
 uniform int falloff;             // ReflectedHemisphere: FalloffType of the public class
-uniform int directions;          // HorizonAngle; ExactHorizon, LayeredBitmask: slices
+uniform int allDirections;       // HorizonAngle; ExactHorizon, LayeredBitmask: slices
 uniform int steps;               // of these: samples for each direction or side of a slice
 uniform vec2 angleBias;          // HorizonAngle: (cos, sin)
 uniform sampler2D solids;        // LayeredBitmask: (front, back, front, back) of each ray's stretches
 uniform sampler2D moreSolids;    // LayeredBitmask: the third and fourth stretch
+uniform vec4 solidsPlace;        // LayeredBitmask: (scale, offset): pixel of a texel of these
+uniform vec2 solidsTexelSize;    // LayeredBitmask: 1 / size of these
 uniform float sheet;             // LayeredBitmask: thickness of what has no back, world units
 uniform vec2 sliceTurn;          // ExactHorizon, LayeredBitmask: (cos, sin) from slice to slice
+#if defined(SSAO_REFINED)
+uniform sampler2D interpolated; // (visibility, share of it that came from the pixel's own surface)
+uniform float leastShare;       // below which a pixel is estimated
+#endif
 uniform float downsampling;      // edge in pixels of the squares of which one pixel is estimated
 uniform float noiseSize;         // edge of the noise tile in estimated pixels
 uniform sampler2D kernelTexture; // kernelSize x 1: the estimator's sample points, lengths up to 1
@@ -28,7 +37,7 @@ uniform sampler2D noiseTexture;  // noiseSize x noiseSize: see vtkSSAONoiseTile
 
 vec3 ssaoKernelAt(int index)
 {
-  return textureLod(kernelTexture, vec2((float(index) + 0.5) / float(kernelSize), 0.5), 0.0).xyz;
+  return textureLod(kernelTexture, vec2((float(index) + 0.5) / float(samplesInKernel), 0.5), 0.0).xyz;
 }
 
 // The random numbers of a pixel: (turn, second number, cos and sin of the turn), the first two
@@ -41,18 +50,22 @@ vec4 ssaoNoiseAt(vec2 pixel)
 }
 
 // LayeredBitmask: the stretches of a pixel's ray inside solids, (front, back, front, back); 0: none.
-vec4 ssaoSolidsAt(vec2 pixel)
+vec4 ssaoSolidsAt(vec2 texel)
 {
-  return textureLod(solids, pixel * texelSize, 0.0);
+  return textureLod(solids, texel * solidsTexelSize, 0.0);
 }
 
-vec4 ssaoMoreSolidsAt(vec2 pixel)
+vec4 ssaoMoreSolidsAt(vec2 texel)
 {
-  return textureLod(moreSolids, pixel * texelSize, 0.0);
+  return textureLod(moreSolids, texel * solidsTexelSize, 0.0);
 }
 
 // Which share of what decides the visibility lay inside the picture; an estimator may set it.
 float ssaoCertainty = 1.0;
+
+// What an estimator takes of its samples and directions: nothing for a pixel that needs no estimate.
+int kernelSize;
+int directions;
 
 //SSAO::Estimator
 
@@ -62,6 +75,17 @@ void main()
     ? viewport.xy + downsampling * floor(gl_FragCoord.xy) + 0.5
     : gl_FragCoord.xy;
   vec4 center = ssaoGeometryAt(pixel);
+#if defined(SSAO_REFINED)
+  vec2 before = textureLod(interpolated, pixel * texelSize, 0.0).xy;
+  bool needed = center.x > 0.0 && before.y < leastShare;
+  kernelSize = needed ? samplesInKernel : 0;
+  directions = needed ? allDirections : 0;
+  float visibility = ssaoVisibility(pixel, center);
+  gl_FragData[0] = vec4(needed ? visibility : before.x, 0.0, 0.0, 1.0);
+#else
+  kernelSize = samplesInKernel;
+  directions = allDirections;
   float visibility = center.x > 0.0 ? ssaoVisibility(pixel, center) : 1.0;
   gl_FragData[0] = vec4(visibility, center.x, ssaoCertainty, 1.0);
+#endif
 }

@@ -21,6 +21,7 @@ void main()
   vec2 square = floor(place / downsampling);
   vec2 last = estimated.xy + estimated.zw - 1.0;
   float sum = 0.0;
+  float same = 0.0;
   float weights = 0.0;
   for (int i = 0; i < 4; ++i)
   {
@@ -32,9 +33,10 @@ void main()
     float weight = neighbour.y > 0.0
       ? (near.x * near.y + 0.001) * (ssaoPlaneWeight(plane, neighbour.y, moved) + 0.0001)
       : 0.0;
+    same += near.x * near.y * ssaoPlaneWeight(plane, neighbour.y, moved);
     sum += weight * neighbour.x;
     weights += weight;
   }
   bool known = center.x > 0.0 && weights > 0.0;
-  gl_FragData[0] = vec4(known ? sum / weights : 1.0, 0.0, 0.0, 1.0);
+  gl_FragData[0] = vec4(known ? sum / weights : 1.0, same, 0.0, 1.0);
 }
