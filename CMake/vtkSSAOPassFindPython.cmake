@@ -9,6 +9,9 @@ set(SSAO_WRAPS_PYTHON OFF)
 if (NOT BUILD_SHARED_LIBS)
   message(STATUS "Python module: off, it needs BUILD_SHARED_LIBS")
   return ()
+elseif (CMAKE_CXX_FLAGS MATCHES "-fsanitize")
+  message(STATUS "Python module: off, the interpreter has no sanitizer")
+  return ()
 endif ()
 
 # The first python3 of the path may not be the one that VTK was wrapped for.
