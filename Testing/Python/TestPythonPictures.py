@@ -54,6 +54,7 @@ def draw_pyvista():
     plotter.renderer.AddActor(boy_actor())
     plotter.renderer.AutomaticLightCreationOn()
     plotter.renderer.ResetCamera()
+    plotter.camera_set = True  # PyVista would look from elsewhere
     ssao = vtkssaopass.enable_ambient_occlusion(plotter)
     plotter.show(auto_close=False)
     assert plotter.renderer.GetPass() is ssao
