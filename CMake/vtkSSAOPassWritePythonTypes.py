@@ -61,6 +61,13 @@ def write_method(name, method):
     return output
 
 
+def property_type(wrapped, value):
+    """The docstring of a property says which methods it calls: "read-write, calls GetX/SetX"."""
+    getter = re.search(r"\bGet\w+", value.__doc__ or "")
+    signatures, _ = split_docstring(getattr(wrapped, getter.group()).__doc__) if getter else ([], "")
+    return signatures[0][1] if signatures else "Any"
+
+
 def write_class(wrapped):
     base = wrapped.__bases__[0]
     output = f"class {wrapped.__name__}({base.__name__}):\n{quoted(wrapped.__doc__.strip(), '    ')}"
@@ -71,6 +78,9 @@ def write_class(wrapped):
     for name, value in own.items():
         if isinstance(value, int):
             output += f"    {name}: {type(value).__name__}\n"
+    for name, value in own.items():
+        if inspect.isgetsetdescriptor(value):  # VTK 9.4 and later have them
+            output += f"    {name}: {property_type(wrapped, value)}\n"
     for name in own:
         value = getattr(wrapped, name)
         if callable(value) and not isinstance(value, type):

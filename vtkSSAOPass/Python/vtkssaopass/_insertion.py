@@ -50,7 +50,7 @@ def enable_ambient_occlusion(
         owner, replaced = _find(renderer, vtkSSAOPass)
         if replaced is not None:
             ssao.SetDelegatePass(replaced.GetDelegatePass())
-            replaced.ReleaseGraphicsResources(renderer.GetRenderWindow())
+            _release(replaced, renderer)
         else:
             owner = renderer
             while isinstance(_inner(owner), vtkSSAAPass):
@@ -67,7 +67,7 @@ def disable_ambient_occlusion(view: Any) -> None:
     renderer = _renderer_of(view)
     owner, ssao = _find(renderer, vtkScreenSpaceAmbientOcclusionPass)
     if ssao is not None:
-        ssao.ReleaseGraphicsResources(renderer.GetRenderWindow())
+        _release(ssao, renderer)
         _set_inner(owner, ssao.GetDelegatePass())
 
 
@@ -76,6 +76,11 @@ def _renderer_of(view: Any) -> vtkRenderer:
     if not isinstance(renderer, vtkRenderer):
         raise TypeError(f"{type(view).__name__} is no vtkRenderer, and has no attribute 'renderer'")
     return renderer
+
+
+def _release(found: Any, renderer: vtkRenderer) -> None:
+    if renderer.GetRenderWindow() is not None:
+        found.ReleaseGraphicsResources(renderer.GetRenderWindow())
 
 
 def _inner(owner: Any) -> Any:
