@@ -74,6 +74,8 @@ def mean(picture):
 
 def largest_difference(first, second):
     """Over all channels, in grey levels; 256 if the sizes differ."""
+    if first == second:
+        return 0
     if first[0] != second[0]:
         return 256
     return max(abs(a - b) for a, b in zip(first[1], second[1]))
