@@ -108,7 +108,8 @@ bool AddLongWall(Context& context)
 {
   constexpr double half = 20.0;
   Mesh mesh;
-  mesh.AddQuad({ -half, -12.0, 0.0 }, { half, -12.0, 0.0 }, { half, 0.0, 0.0 }, { -half, 0.0, 0.0 });
+  mesh.AddQuad(
+    { -half, -12.0, 0.0 }, { half, -12.0, 0.0 }, { half, 0.0, 0.0 }, { -half, 0.0, 0.0 });
   mesh.AddQuad({ -half, 0.0, 0.0 }, { half, 0.0, 0.0 }, { half, 0.0, 2.0 }, { -half, 0.0, 2.0 });
   AddActor(context.Renderer, mesh.GetFlat(), Colors::Stone);
   return true;
@@ -208,7 +209,8 @@ std::vector<Scene> AnalyticScenes()
     { { "sphere_on_plane", Kind::Analytic, "Sphere of radius 1 on a plane", 1.5 },
       { { { 3.5, -5.5, 4.5 }, { 0.0, 0.0, 0.6 } }, { { 0.0, -5.5, 2.3 }, { 0.0, 0.0, 0.7 } } },
       AddSphereOnPlane },
-    { { "long_wall", Kind::Analytic, "Long wall on a floor, seen from above and from the side", 1.0 },
+    { { "long_wall", Kind::Analytic, "Long wall on a floor, seen from above and from the side",
+        1.0 },
       { { { 0.0, -0.5, 6.0 }, { 0.0, -0.5, 0.0 }, { 0.0, 1.0, 0.0 }, 30.0, 1.0 },
         { { -2.0, -7.0, 3.0 }, { 0.0, -0.6, 0.4 } } },
       AddLongWall },
