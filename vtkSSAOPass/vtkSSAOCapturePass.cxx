@@ -478,10 +478,14 @@ bool vtkSSAOCapturePass::PostReplaceShaderValues(std::string& vertexShader,
   declarations += impostor ? "#define SSAO_IMPOSTOR\n" : "";
   declarations += Contains(fragmentShader, "lengthVCVSOutput") ? "#define SSAO_STICK\n" : "";
   // Edges are mixed into the ambient colour unlit, or as tubes into all colours.
-  declarations += Contains(fragmentShader, "mix( ambientColor, edgeColor, emix)") && !pbr
-    ? "#define SSAO_EDGES vec3(edgeColor * emix)\n"
+  // From VTK 9.3 on they have an opacity.
+  const std::string edgeMix =
+    Contains(fragmentShader, "emix * edgeOpacity") ? "(emix * edgeOpacity)" : "emix";
+  declarations += Contains(fragmentShader, "mix( ambientColor, edgeColor, emix") && !pbr
+    ? "#define SSAO_EDGES vec3(edgeColor * " + edgeMix + ")\n"
     : "";
-  declarations += Contains(fragmentShader, "float emix") ? "#define SSAO_EDGE_MIX emix\n" : "";
+  declarations +=
+    Contains(fragmentShader, "float emix") ? "#define SSAO_EDGE_MIX " + edgeMix + "\n" : "";
   declarations += vtkSSAOPass1CaptureDeclarationsFS;
   declarations += vtkSSAOPass0Functions;
   vtkShaderProgram::Substitute(

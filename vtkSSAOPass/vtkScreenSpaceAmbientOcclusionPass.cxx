@@ -24,7 +24,6 @@
 #include "vtkSSAOModulateStage.h"
 #include "vtkSSAOOcclusionSettings.h"
 #include "vtkSSAOOcclusionStage.h"
-#include "vtkSSAOOpenGL.h"
 #include "vtkSSAORenderSteps.h"
 #include "vtkSSAOResolveStage.h"
 #include "vtkSSAOShaderFunctions.h"
@@ -339,7 +338,6 @@ void vtkScreenSpaceAmbientOcclusionPass::RenderScene(const vtkRenderState* s)
 //------------------------------------------------------------------------------
 int vtkScreenSpaceAmbientOcclusionPass::RenderOpaqueWithOcclusion(const vtkRenderState* s)
 {
-  vtkOpenGLClearErrorMacro();
   Pipeline& stages = *this->Stages;
   // A delegate may lack lights; setting them up twice changes nothing.
   stages.Lights->Render(s);
@@ -380,7 +378,6 @@ int vtkScreenSpaceAmbientOcclusionPass::RenderOpaqueWithOcclusion(const vtkRende
                   "without occlusion.");
   }
   stages.Capture->RenderRemainder(s);
-  vtkOpenGLCheckErrorMacro("failed after RenderOpaqueWithOcclusion");
   return stages.Capture->GetNumberOfRenderedProps();
 }
 

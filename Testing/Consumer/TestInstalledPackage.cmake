@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Installs a build, moves the installation, and builds and runs the project in this folder with it.
-# AddTest.cmake passes the variables.
+# AddTest.cmake passes the variables. With PACKAGE_STATIC the module is built as a static library
+# first, without debugging information, and one program is built and run with it.
 cmake_minimum_required(VERSION 3.18)
 
 set(prefix "${WORK}/moved to/here") # with a space, too
@@ -46,6 +47,17 @@ endfunction ()
 
 # ----- install, and move ---------------------------------------------------------------------------
 file(REMOVE_RECURSE "${WORK}")
+if (PACKAGE_STATIC)
+  # Debug, because the checks that it compiles in must not need more libraries either.
+  set(configuration Debug)
+  configuration_command(configure package "${PACKAGE_SOURCE}" -DCMAKE_CXX_FLAGS_DEBUG=
+    "-DCMAKE_CXX_COMPILER_LAUNCHER=${CXX_LAUNCHER}" -DBUILD_SHARED_LIBS=OFF -DBUILD_TESTING=OFF
+    -DSSAO_BUILD_EXAMPLES=OFF -DSSAO_BUILD_OSMESA=OFF)
+  run("Configuration of the static library" ${configure})
+  set(PACKAGE_BUILD "${WORK}/package")
+  run("Build of the static library" "${CMAKE_COMMAND}" --build "${PACKAGE_BUILD}"
+    --config "${configuration}" --parallel 2)
+endif ()
 run("Installation" "${CMAKE_COMMAND}" --install "${PACKAGE_BUILD}" --prefix "${WORK}/installed"
   --config "${configuration}")
 file(MAKE_DIRECTORY "${WORK}/moved to")
@@ -101,6 +113,14 @@ if (READELF)
   endforeach ()
 else ()
   message(STATUS "Needed libraries: not checked, there is no readelf")
+endif ()
+
+if (PACKAGE_STATIC)
+  if (NOT EXISTS "${prefix}/lib/libvtkSSAOPass.a")
+    message(FATAL_ERROR "The package has no static library")
+  endif ()
+  file(REMOVE_RECURSE "${WORK}")
+  return ()
 endif ()
 
 # ----- a program that asks for the headless window -------------------------------------------------

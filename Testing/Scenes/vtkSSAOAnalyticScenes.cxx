@@ -102,14 +102,15 @@ bool AddSphereOnPlane(Context& context)
 /**
  * A long wall, 2 high, whose face is the plane y = 0, on a floor that reaches from it to y = -12.
  * Straight from above the wall's top, 0.25 wide, and the floor up to the radius 1 are seen. The
- * visibility at the distance s from the wall is 1 - (acos s - s sqrt(1 - s^2)) / pi, that of the top
- * 1, and the mean over the picture 1 - 0.8 * 2 / (3 pi).
+ * visibility at the distance s from the wall is 1 - (acos s - s sqrt(1 - s^2)) / pi, that of the
+ * top 1, and the mean over the picture 1 - 0.8 * 2 / (3 pi).
  */
 bool AddLongWall(Context& context)
 {
   constexpr double half = 20.0;
   Mesh mesh;
-  mesh.AddQuad({ -half, -12.0, 0.0 }, { half, -12.0, 0.0 }, { half, 0.0, 0.0 }, { -half, 0.0, 0.0 });
+  mesh.AddQuad(
+    { -half, -12.0, 0.0 }, { half, -12.0, 0.0 }, { half, 0.0, 0.0 }, { -half, 0.0, 0.0 });
   mesh.AddBox({ -half, 0.0, 0.0 }, { half, 0.25, 2.0 });
   AddActor(context.Renderer, mesh.GetFlat(), Colors::Stone);
   return true;
@@ -209,7 +210,8 @@ std::vector<Scene> AnalyticScenes()
     { { "sphere_on_plane", Kind::Analytic, "Sphere of radius 1 on a plane", 1.5 },
       { { { 3.5, -5.5, 4.5 }, { 0.0, 0.0, 0.6 } }, { { 0.0, -5.5, 2.3 }, { 0.0, 0.0, 0.7 } } },
       AddSphereOnPlane },
-    { { "long_wall", Kind::Analytic, "Long wall on a floor, seen from above and from the side", 1.0 },
+    { { "long_wall", Kind::Analytic, "Long wall on a floor, seen from above and from the side",
+        1.0 },
       { { { 0.0, -0.375, 6.0 }, { 0.0, -0.375, 0.0 }, { 0.0, 1.0, 0.0 }, 30.0, 1.25 },
         { { -2.0, -7.0, 3.0 }, { 0.0, -0.6, 0.4 } } },
       AddLongWall },
