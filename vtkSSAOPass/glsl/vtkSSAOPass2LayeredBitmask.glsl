@@ -7,8 +7,8 @@
 // With one contiguous arc to either side the result is that of ExactHorizon.
 //   pixel    position in the framebuffer
 //   center   the geometry there: (depth, packed normal, packed facet normal, 1)
-// Returns the visible share, 1 open. Samples outside the viewport are skipped, and what their side of
-// the slice weighs is less by their share.
+// Returns the visible share, 1 open. All samples are taken inside the viewport; where it cuts a side
+// of a slice short that side weighs less, as if the samples beyond had been skipped.
 
 int ssaoNumberOfSectors(int sectors)
 {
@@ -53,12 +53,11 @@ int ssaoSectorsOf(
 // What is known of one side of a slice.
 struct SsaoSide
 {
-  vec2 reach;             // pixels that the radius covers
+  vec2 reach;             // pixels that the radius covers inside the picture
   float lowest;           // cosine of the lowest open angle
   float normalSine;       // of the projected normal's angle, positive where it leans to this side
   float sectorsPerMeasure;
   int hidden;             // sectors, as bits
-  float known;            // number of samples inside the picture
   vec3 first;             // the arcs of the sample before
   vec3 second;
   vec3 third;
@@ -73,7 +72,6 @@ SsaoSide ssaoSide(vec2 reach, float lowest, float normalCosine, float normalSine
   side.sectorsPerMeasure =
     float(30.0) / max(ssaoArcMeasureNear(lowest, normalCosine, normalSine), float(0.000001));
   side.hidden = 0;
-  side.known = float(0.0);
   // At first the surface itself, on the horizon.
   side.first = vec3(centerDepth, lowest, lowest);
   side.second = vec3(float(-1.0e30), lowest, lowest);
@@ -82,7 +80,7 @@ SsaoSide ssaoSide(vec2 reach, float lowest, float normalCosine, float normalSine
 }
 
 // Marks what a sample hides.
-//   share    of the radius at which it is taken;  join: fronts nearer than this lie on one surface
+//   share    of the reach at which it is taken;  join: fronts nearer than this lie on one surface
 //   jitter   from 0 to 1: how arcs are rounded
 SsaoSide ssaoTakeSample(SsaoSide side, vec2 pixel, float share, float join, vec4 center,
   vec2 centerRay, vec3 facet, vec3 viewer, float normalCosine, float jitter)
@@ -105,7 +103,6 @@ SsaoSide ssaoTakeSample(SsaoSide side, vec2 pixel, float share, float join, vec4
   vec3 secondJoined = ssaoJoin(ssaoJoin(second, side.first, join), side.second, join);
   vec3 thirdJoined = ssaoJoin(third, side.third, join);
   SsaoSide result = side;
-  result.known = side.known + (ssaoIsInViewport(at, viewport) ? float(1.0) : float(0.0));
   result.hidden = side.hidden |
     ssaoSectorsOf(firstJoined, normalCosine, side.normalSine, side.sectorsPerMeasure, jitter) |
     ssaoSectorsOf(secondJoined, normalCosine, side.normalSine, side.sectorsPerMeasure, jitter) |
@@ -147,20 +144,22 @@ float ssaoVisibility(vec2 pixel, vec4 center)
   {
     SsaoSlice slice = ssaoSlice(across, up, viewer, normal, facet, turn);
     vec2 reach = ssaoTrace(slice, positionVC, rayToPixel, perspective) * radius;
-    float reachInPixels = length(reach);
-    SsaoSide side = ssaoSide(reach * sign, sign > float(0.0) ? slice.lowestAhead : slice.lowestBehind,
-      slice.normalCosine, slice.normalSine * sign, center.x);
+    float inside = ssaoShareInside(pixel, reach * sign, viewport);
+    float reachInPixels = length(reach) * inside;
+    SsaoSide side = ssaoSide(reach * (sign * inside),
+      sign > float(0.0) ? slice.lowestAhead : slice.lowestBehind, slice.normalCosine,
+      slice.normalSine * sign, center.x);
     float shareBefore = float(0.0);
     int count = min(steps, int(ceil(reachInPixels)));
     for (int j = 0; j < count; ++j)
     {
       float share = ssaoSampleShare(float(j) + noise.y, float(count), reachInPixels);
-      float join = float(4.0) * max((share - shareBefore) * radius, footprint);
+      float join = float(4.0) * max((share - shareBefore) * inside * radius, footprint);
       shareBefore = share;
       side = ssaoTakeSample(
         side, pixel, share, join, center, centerRay, facet, viewer, slice.normalCosine, noise.y);
     }
-    float weight = slice.weight * side.known / float(max(count, 1));
+    float weight = slice.weight * sqrt(inside);
     visible += weight * ssaoVisibleMeasure(side);
     open += weight * float(30.0) / side.sectorsPerMeasure;
     whole += slice.weight * float(30.0) / side.sectorsPerMeasure;
