@@ -98,8 +98,7 @@ int TestStableArithmetic(int, char*[])
       }
       else
       {
-        view.Look(
-          from, at, { 0, 1, 0 }, 2.0 * std::atan(1.3 / distance) * 180.0 / std::acos(-1.0));
+        view.Look(from, at, { 0, 1, 0 }, 2.0 * std::atan(1.3 / distance) * 180.0 / std::acos(-1.0));
       }
       Measure(row, view, what.str());
     }

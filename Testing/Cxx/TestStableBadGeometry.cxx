@@ -50,8 +50,8 @@ vtkSmartPointer<vtkPolyData> NewGrid()
 }
 
 //------------------------------------------------------------------------------
-// The floor with one of the points that are seen moved to (x, 0, x), which opens a hole or tears its
-// faces away to where nothing is seen.
+// The floor with one of the points that are seen moved to (x, 0, x), which opens a hole or tears
+// its faces away to where nothing is seen.
 void AddWithPoint(vtkSSAOTestView& view, double x)
 {
   vtkSmartPointer<vtkPolyData> grid = NewGrid();
@@ -205,8 +205,8 @@ int TestStableBadGeometry(int, char*[])
   vtkSSAOTestMonitor test;
   vtkSSAOStability bad(test, "Bad geometry (NaN, infinite, degenerate, flipped, coincident, cut)",
     "pixels with V not from 0 to 1", vtkSSAOStability::AtMost, 0.0);
-  vtkSSAOStability open(test, "The same where nothing occludes", "mean V",
-    vtkSSAOStability::AtLeast, 0.998);
+  vtkSSAOStability open(
+    test, "The same where nothing occludes", "mean V", vtkSSAOStability::AtLeast, 0.998);
   for (const auto& scene : Scenes())
   {
     for (bool parallel : { false, true })

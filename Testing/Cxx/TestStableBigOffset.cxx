@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Visibility does not depend on where in the world a scene is: points in double far from the origin,
-// as in map coordinates, with the camera along.
+// Visibility does not depend on where in the world a scene is: points in double far from the
+// origin, as in map coordinates, with the camera along.
 
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
@@ -70,7 +70,8 @@ int TestStableBigOffset(int, char*[])
   vtkSSAOTestMonitor test;
   vtkSSAOStability same(test, "Scene moved by (2.683e6, 1.247e6, 400) and by 1e7",
     "largest difference of V from the scene at the origin in 1/255", vtkSSAOStability::AtMost, 2.0);
-  vtkSSAOStability open(test, "The same, open floor", "smallest V", vtkSSAOStability::AtLeast, 0.99);
+  vtkSSAOStability open(
+    test, "The same, open floor", "smallest V", vtkSSAOStability::AtLeast, 0.99);
   const std::vector<Offset> offsets = { { 0.0, 0.0, 0.0 }, { 2.683e6, 1.247e6, 400.0 },
     { 1.0e7, 1.0e7, 1.0e7 } };
   for (bool parallel : { false, true })

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Where the clipping planes are does not matter, as long as they cut nothing: near and far at ratios
-// of 1e1 to 1e6 about one scene.
+// Where the clipping planes are does not matter, as long as they cut nothing: near and far at
+// ratios of 1e1 to 1e6 about one scene.
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -96,8 +96,8 @@ int TestStableClippingRange(int, char*[])
   vtkSSAOStability meshes(
     test, "Near and far at a ratio of 1e1 to 1e6", measure, vtkSSAOStability::AtMost, 0.1);
   Compare(test, meshes, false);
-  vtkSSAOStability sprites(
-    test, "The same with points as spheres, lines as tubes", measure, vtkSSAOStability::AtMost, 1.0);
+  vtkSSAOStability sprites(test, "The same with points as spheres, lines as tubes", measure,
+    vtkSSAOStability::AtMost, 1.0);
   Compare(test, sprites, true);
   return test.GetResult();
 }

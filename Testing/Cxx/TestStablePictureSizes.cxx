@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // The size of the picture does not matter: the error against the ray-traced truth is the same from
-// 200 to 2200 pixels square and in odd sizes; pictures of one pixel, very large and very long ones are
-// drawn.
+// 200 to 2200 pixels square and in odd sizes; pictures of one pixel, very large and very long ones
+// are drawn.
 
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -37,8 +37,8 @@ vtkSSAOTestImage Render(vtkSSAOTestView& view, int method)
 }
 
 //------------------------------------------------------------------------------
-// Every factor-th pixel of each row and column, the middle one: with an odd factor its centre is that
-// of the pixel of a smaller picture.
+// Every factor-th pixel of each row and column, the middle one: with an odd factor its centre is
+// that of the pixel of a smaller picture.
 vtkSSAOTestImage EachOf(const vtkSSAOTestImage& image, int factor)
 {
   vtkSSAOTestImage part(image.Width / factor, image.Height / factor);

@@ -28,7 +28,8 @@ int TestStableTelephoto(int, char*[])
   {
     for (double distance : { 10.0, 100.0, 2000.0, 20000.0 })
     {
-      view.Look({ 0.0, distance * std::sin(elevation * degree), distance * std::cos(elevation * degree) },
+      view.Look(
+        { 0.0, distance * std::sin(elevation * degree), distance * std::cos(elevation * degree) },
         { 0, 0, 0 }, { 0, 1, 0 }, 2.0 * std::atan(3.0 / distance) / degree);
       std::ostringstream what;
       what << elevation << " degrees, " << distance << " R";

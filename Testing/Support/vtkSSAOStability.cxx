@@ -60,8 +60,8 @@ void vtkSSAOStability::Keep(int column, double figure)
 bool vtkSSAOStability::Ours(int preset, double figure, const std::string& what)
 {
   this->Keep(preset, figure);
-  const std::string text = this->Name + ", " + vtkSSAOTestView::GetPresetName(preset) + ", " +
-    what + ": " + this->Measure;
+  const std::string text =
+    this->Name + ", " + vtkSSAOTestView::GetPresetName(preset) + ", " + what + ": " + this->Measure;
   return this->Wanted == AtMost ? this->Monitor.ExpectAtMost(figure, this->Limit, text)
                                 : this->Monitor.ExpectAtLeast(figure, this->Limit, text);
 }
