@@ -16,6 +16,11 @@
 #endif
     // The surface that set a bound must not pass it, though it may come out rounded otherwise here.
     vec4 ssaoWithin = ssaoBounds * vec4(1.0 + ssaoMargin, 1.0 - ssaoMargin, 1.0 + ssaoMargin, 1.0 - ssaoMargin);
+    // Its other side may lie in the very same place: a face that is there twice, wound both ways.
+    float ssaoCoincident = ssaoFirst * (1.0 - 4.0 * ssaoMargin);
+    bool ssaoFirstIsFront = ssaoUnpackFacing(ssaoKnown.z) > 0.0;
+    ssaoWithin.x = ssaoFirstRound > 0.5 && !ssaoFirstIsFront ? ssaoCoincident : ssaoWithin.x;
+    ssaoWithin.z = ssaoFirstRound > 0.5 && ssaoFirstIsFront ? ssaoCoincident : ssaoWithin.z;
     bool ssaoIsFront = ssaoEnds.x > ssaoWithin.x && ssaoEnds.x < ssaoWithin.y;
     bool ssaoIsBack = ssaoEnds.y > ssaoWithin.z && ssaoEnds.y < ssaoWithin.w;
     vec2 ssaoLimit =

@@ -80,10 +80,11 @@ SsaoSide ssaoSide(vec2 reach, float lowest, float normalCosine, float normalSine
 }
 
 // Marks what a sample hides.
+//   facing   1 where the point's surface shows its front, -1 where it shows its back
 //   share    of the reach at which it is taken;  join: fronts nearer than this lie on one surface
 //   jitter   from 0 to 1: how arcs are rounded
 SsaoSide ssaoTakeSample(SsaoSide side, vec2 pixel, float share, float join, vec4 center,
-  vec2 centerRay, vec3 facet, vec3 viewer, float normalCosine, float jitter)
+  float facing, vec2 centerRay, vec3 facet, vec3 viewer, float normalCosine, float jitter)
 {
   vec2 at = floor(pixel + side.reach * share) + vec2(float(0.5), float(0.5));
   SsaoRay ray = ssaoRayOf(
@@ -94,7 +95,7 @@ SsaoSide ssaoTakeSample(SsaoSide side, vec2 pixel, float share, float join, vec4
   float halfLength = ssaoIsInViewport(at, drawn) ? sqrt(max(squaredHalf, float(0.0))) : float(0.0);
   vec2 ball = vec2(middle - halfLength, middle + halfLength);
   SsaoStretches solids =
-    ssaoStretchesSeen(ssaoSolidsAt(at), ssaoMoreSolidsAt(at), ssaoUnpackFacing(center.z), sheet);
+    ssaoStretchesSeen(ssaoSolidsAt(at), ssaoMoreSolidsAt(at), facing, sheet);
   vec3 first = ssaoHiddenArc(ray, solids.first, center.x, ball, side.lowest);
   vec3 second = ssaoHiddenArc(ray, solids.second, center.x, ball, side.lowest);
   vec3 third = ssaoHiddenArc(ray, solids.third, center.x, ball, side.lowest);
@@ -130,6 +131,7 @@ float ssaoVisibility(vec2 pixel, vec4 center)
   vec3 viewer = ssaoTowardsViewer(positionVC, perspective);
   vec3 across = normalize(cross(vec3(float(0.0), float(1.0), float(0.0)), viewer));
   vec3 up = cross(viewer, across);
+  float facing = ssaoSolidsAt(pixel).x < float(0.0) ? float(-1.0) : float(1.0);
   vec4 noise = ssaoNoiseAt(pixel);
   vec2 turn = vec2(noise.z, noise.w);
   float footprint = length(vec2(pixelToRay.x, pixelToRay.z)) *
@@ -156,8 +158,8 @@ float ssaoVisibility(vec2 pixel, vec4 center)
       float share = ssaoSampleShare(float(j) + noise.y, float(count), reachInPixels);
       float join = float(4.0) * max((share - shareBefore) * inside * radius, footprint);
       shareBefore = share;
-      side = ssaoTakeSample(
-        side, pixel, share, join, center, centerRay, facet, viewer, slice.normalCosine, noise.y);
+      side = ssaoTakeSample(side, pixel, share, join, center, facing, centerRay, facet, viewer,
+        slice.normalCosine, noise.y);
     }
     float weight = slice.weight * sqrt(inside);
     visible += weight * ssaoVisibleMeasure(side);
