@@ -8,6 +8,7 @@
 #include "vtkCellArray.h"
 #include "vtkCompositePolyDataMapper2.h"
 #include "vtkCubeSource.h"
+#include "vtkCullerCollection.h"
 #include "vtkDoubleArray.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
@@ -80,7 +81,7 @@ void AddDegenerate(vtkSSAOTestView& view)
 {
   vtkSmartPointer<vtkPolyData> grid = NewGrid();
   vtkNew<vtkCellArray> triangles;
-  for (vtkIdType i = 0; i + 2 < grid->GetNumberOfPoints(); ++i)
+  for (vtkIdType i = 0; i + 2 < grid->GetNumberOfPoints(); i += 3) // 21 points in a row
   {
     triangles->InsertNextCell({ i, i, i });
     triangles->InsertNextCell({ i, i + 1, i });
@@ -143,7 +144,13 @@ std::vector<std::pair<std::string, Fill>> Scenes()
 {
   return {
     { "a NaN point", [](vtkSSAOTestView& view) { AddWithPoint(view, NotANumber); } },
-    { "an infinite point", [](vtkSSAOTestView& view) { AddWithPoint(view, Infinity); } },
+    { "an infinite point",
+      [](vtkSSAOTestView& view)
+      {
+        // Besides a good mesh: VTK draws nothing of one without finite bounds.
+        view.Add(NewGrid());
+        AddWithPoint(view, Infinity);
+      } },
     { "a point at 1e30",
       [](vtkSSAOTestView& view)
       {
@@ -163,7 +170,12 @@ std::vector<std::pair<std::string, Fill>> Scenes()
       {
         view.Add(NewGrid());
         view.Add(vtkSSAOQuad({ -10, 0, 10 }, { 20, 0, 0 }, { 0, 0, -20 }));
-        view.Add(vtkSSAOQuad({ -10, 0, 10 }, { 0, 0, -20 }, { 20, 0, 0 })); // the other way round
+      } },
+    { "coincident faces, wound both ways",
+      [](vtkSSAOTestView& view)
+      {
+        view.Add(NewGrid());
+        view.Add(vtkSSAOQuad({ -10, 0, 10 }, { 0, 0, -20 }, { 20, 0, 0 }));
       } },
     { "faces edge-on",
       [](vtkSSAOTestView& view)
@@ -177,7 +189,7 @@ std::vector<std::pair<std::string, Fill>> Scenes()
       [](vtkSSAOTestView& view)
       {
         vtkNew<vtkCubeSource> box;
-        box->SetBounds(-30, 30, -30, 30, -30, 30);
+        box->SetBounds(-60, 60, -10, 60, -60, 60); // its floor alone is seen
         view.Add(box);
       } },
     { "the near plane through the floor",
@@ -189,11 +201,11 @@ std::vector<std::pair<std::string, Fill>> Scenes()
     { "the near plane through a box",
       [](vtkSSAOTestView& view)
       {
-        // Its far walls are seen from inside, away from their edges.
+        // Its top is cut away, and its bottom seen from inside.
         vtkNew<vtkCubeSource> box;
-        box->SetBounds(-10, 10, -20, 0, -10, 10);
+        box->SetBounds(-60, 60, -10, 4, -60, 60);
         view.Add(box);
-        view.Renderer->GetActiveCamera()->SetClippingRange(25.0, 60.0);
+        view.Renderer->GetActiveCamera()->SetClippingRange(18.0, 100.0);
       } },
   };
 }
@@ -203,10 +215,10 @@ std::vector<std::pair<std::string, Fill>> Scenes()
 int TestStableBadGeometry(int, char*[])
 {
   vtkSSAOTestMonitor test;
-  vtkSSAOStability bad(test, "Bad geometry (NaN, infinite, degenerate, flipped, coincident, cut)",
-    "pixels with V not from 0 to 1", vtkSSAOStability::AtMost, 0.0);
+  vtkSSAOStability bad(
+    test, "Bad geometry", "pixels with V not from 0 to 1", vtkSSAOStability::AtMost, 0.0);
   vtkSSAOStability open(
-    test, "The same where nothing occludes", "mean V", vtkSSAOStability::AtLeast, 0.998);
+    test, "Bad geometry where nothing occludes", "mean V", vtkSSAOStability::AtLeast, 0.998);
   for (const auto& scene : Scenes())
   {
     for (bool parallel : { false, true })
@@ -221,6 +233,7 @@ int TestStableBadGeometry(int, char*[])
         view.Look({ 0, 8, 12 }, { 0, 0, 0 }, { 0, 1, 0 });
       }
       view.Renderer->GetActiveCamera()->SetClippingRange(0.1, 100.0);
+      view.Renderer->GetCullers()->RemoveAllItems(); // they drop what has no finite bounds
       scene.second(view);
       for (int preset = 0; preset < vtkSSAOTestView::NumberOfPresets; ++preset)
       {

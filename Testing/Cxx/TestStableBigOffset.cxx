@@ -71,7 +71,7 @@ int TestStableBigOffset(int, char*[])
   vtkSSAOStability same(test, "Scene moved by (2.683e6, 1.247e6, 400) and by 1e7",
     "largest difference of V from the scene at the origin in 1/255", vtkSSAOStability::AtMost, 2.0);
   vtkSSAOStability open(
-    test, "The same, open floor", "smallest V", vtkSSAOStability::AtLeast, 0.99);
+    test, "Open floor moved likewise", "smallest V", vtkSSAOStability::AtLeast, 0.99);
   const std::vector<Offset> offsets = { { 0.0, 0.0, 0.0 }, { 2.683e6, 1.247e6, 400.0 },
     { 1.0e7, 1.0e7, 1.0e7 } };
   for (bool parallel : { false, true })

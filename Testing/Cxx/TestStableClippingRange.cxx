@@ -96,8 +96,10 @@ int TestStableClippingRange(int, char*[])
   vtkSSAOStability meshes(
     test, "Near and far at a ratio of 1e1 to 1e6", measure, vtkSSAOStability::AtMost, 0.1);
   Compare(test, meshes, false);
-  vtkSSAOStability sprites(test, "The same with points as spheres, lines as tubes", measure,
-    vtkSSAOStability::AtMost, 1.0);
+  // The depth of sprites is what the depth buffer holds of it, so that where two of them meet
+  // another one may be in front.
+  vtkSSAOStability sprites(test, "The same ratios, points as spheres, lines as tubes", measure,
+    vtkSSAOStability::AtMost, 2.0);
   Compare(test, sprites, true);
   return test.GetResult();
 }

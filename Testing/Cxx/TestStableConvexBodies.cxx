@@ -94,7 +94,8 @@ int TestStableConvexBodies(int, char*[])
   // shading normal lies below the horizon of the other.
   vtkSSAOStability mean(test, "Spheres of 6 x 6 to 20 x 20 facets with smooth normals", "mean V",
     vtkSSAOStability::AtLeast, 0.998);
-  vtkSSAOStability smallest(test, "The same", "smallest V", vtkSSAOStability::AtLeast, 0.99);
+  vtkSSAOStability smallest(
+    test, "Spheres of few facets", "smallest V", vtkSSAOStability::AtLeast, 0.99);
   for (int resolution : { 6, 10, 20 })
   {
     TestBody(test, mean, &smallest, NewSphere(resolution, resolution),

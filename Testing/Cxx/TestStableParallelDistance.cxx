@@ -15,6 +15,11 @@
 
 namespace
 {
+// In radii. VTK's clipping range is at least a fiftieth of the distance deep, and float32 tells
+// 2^24 places in it: here steps of 1/40,000 of the radius. On the way to 100,000 single samples
+// begin to fall to the other side of a surface.
+constexpr double FarthestPicture = 20000.0;
+
 //------------------------------------------------------------------------------
 void MoveAway(vtkSSAOTestView& view, double distance)
 {
@@ -32,9 +37,10 @@ void MoveAway(vtkSSAOTestView& view, double distance)
 int TestStableParallelDistance(int, char*[])
 {
   vtkSSAOTestMonitor test;
-  vtkSSAOStability same(test, "Parallel projection, camera 10 R to 100,000 R away",
+  vtkSSAOStability same(test, "Parallel projection, camera 10 R to 20,000 R away",
     "largest difference of V in 1/255", vtkSSAOStability::AtMost, 3.0);
-  vtkSSAOStability open(test, "The same, open floor", "mean V", vtkSSAOStability::AtLeast, 0.998);
+  vtkSSAOStability open(test, "Parallel projection, camera 10 R to 100,000 R away, open floor",
+    "mean V", vtkSSAOStability::AtLeast, 0.998);
   vtkSSAOTestView view(test, 150, 100);
   vtkSSAOAddStillLife(view);
   vtkSSAOLookAtStillLife(view, true);
@@ -61,13 +67,19 @@ int TestStableParallelDistance(int, char*[])
         test.ExpectAtMost(view.MeasureSurfaces(v).Minimum, 0.8, what.str() + ": smallest V");
         near.push_back(v);
       }
-      same.Ours(preset, 255.0 * vtkSSAOLargestDifference(v, near[preset]), what.str());
+      if (radii <= FarthestPicture)
+      {
+        same.Ours(preset, 255.0 * vtkSSAOLargestDifference(v, near[preset]), what.str());
+      }
       plane.SetPreset(preset);
       open.Ours(preset, plane.MeasureSurfaces(plane.Visibility()).Mean, what.str());
     }
     const vtkSSAOTestImage v = view.VisibilityOfVTK(0.5);
     ofVTK = ofVTK.Width ? ofVTK : v;
-    same.VTK(255.0 * vtkSSAOLargestDifference(v, ofVTK), what.str());
+    if (radii <= FarthestPicture)
+    {
+      same.VTK(255.0 * vtkSSAOLargestDifference(v, ofVTK), what.str());
+    }
     open.VTK(plane.MeasureSurfaces(plane.VisibilityOfVTK(1.0)).Mean, what.str());
   }
   return test.GetResult();

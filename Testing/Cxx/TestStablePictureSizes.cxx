@@ -73,7 +73,7 @@ void CompareErrors(vtkSSAOTestMonitor& test)
   view.Pass->SetRadius(Radius);
   const vtkSSAOTruthImage truth = vtkSSAOTest::TraceTruth(view, Radius, 64);
   Errors first{};
-  for (int factor : { 1, 3, 5, 11 })
+  for (int factor : { 1, 3, 11 })
   {
     view.Window->SetSize(200 * factor, 200 * factor);
     Errors errors{};
@@ -109,6 +109,11 @@ void DrawUnusual(vtkSSAOTestMonitor& test)
   for (const auto& size :
     { std::pair<int, int>(1, 1), { 1, 50 }, { 1000, 20 }, { 20, 1000 }, { 4096, 4096 } })
   {
+    if (size.first == 4096)
+    {
+      // Small in the middle of the large picture, to save time.
+      view.Look({ 1.2, 2.6, 4.6 }, { -0.1, 0.5, 0.0 }, { 0, 1, 0 }, 150.0);
+    }
     view.Window->SetSize(size.first, size.second);
     const std::string what = std::to_string(size.first) + " x " + std::to_string(size.second);
     for (int preset = 0; preset < vtkSSAOTestView::NumberOfPresets; ++preset)
