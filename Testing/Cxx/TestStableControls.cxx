@@ -139,6 +139,15 @@ void TestEnds(vtkSSAOTestMonitor& test)
       end.second(view.Pass);
       const vtkSSAOTestImage v = view.Visibility();
       bad.Ours(preset, BadPixels(v), end.first);
+      const double smallest = view.MeasureSurfaces(v).Minimum;
+      if (end.first == "Hemisphere, bias 1e30")
+      {
+        test.ExpectEqual(smallest, 1.0, "smallest V under a huge bias");
+      }
+      else if (end.first == "64 directions" || end.first == "64 steps" || end.first == "9 layers")
+      {
+        test.ExpectAtMost(smallest, 0.8, end.first + ": smallest V");
+      }
     }
   }
 }
