@@ -84,8 +84,8 @@ int TestStableArithmetic(int, char*[])
       view.Renderer->GetActiveCamera()->SetClippingRange(nearest, 1.0e4);
       Measure(row, view, what.str());
     }
-    // In parallel projection from afar nearly all of the difference is the twin's: it gets depths from
-    // the camera on in float32, and the pass works with finer ones.
+    // In parallel projection from afar nearly all of the difference is the twin's: it gets depths
+    // from the camera on in float32, and the pass works with finer ones.
     for (double away : { 10.0, 2000.0, 20000.0 })
     {
       const std::vector<double> at = { -0.1, 0.5, 0.0 };
