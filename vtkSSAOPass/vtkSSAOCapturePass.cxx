@@ -211,6 +211,7 @@ bool vtkSSAOCapturePass::Capture(const vtkRenderState* s, const vtkSSAOView& vie
   this->Outputs = needsLight ? (mayExceed && view.Clamped ? 4 : 3) : 2;
   this->Perspective = static_cast<float>(view.Projection.Perspective);
   this->DepthOfWindow = view.Projection.DepthOfWindow;
+  this->DepthOrigin = static_cast<float>(view.DepthOrigin);
   this->Surfaces = false;
 
   const bool attached = this->Attach(view, this->Outputs);
@@ -546,6 +547,7 @@ bool vtkSSAOCapturePass::SetShaderParameters(vtkShaderProgram* program,
   }
   program->SetUniform3f("ssaoOccludableWeights", &this->Weights[0]);
   program->SetUniform4f("ssaoDepthOfWindowRows", &this->DepthOfWindow[0]);
+  program->SetUniformf("ssaoDepthOrigin", this->DepthOrigin);
   program->SetUniformf("ssaoPerspective", this->Perspective);
   return true;
 }

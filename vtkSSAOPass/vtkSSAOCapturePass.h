@@ -143,6 +143,7 @@ private:
   vtkRenderPass* OpaquePass = nullptr;
   glm::vec3 Weights = glm::vec3(0.0F);
   glm::vec4 DepthOfWindow = glm::vec4(0.0F);
+  float DepthOrigin = 0.0F;
   float Perspective = 1.0F;
   bool Surfaces = false;
   bool Layers = false; // whether the shaders draw layers instead of the picture

@@ -27,7 +27,8 @@ bool vtkSSAODisplayStage::Render(const vtkSSAOView& view, int mode, const glm::i
   const glm::vec4 to(view.Viewport);
   const float texelSize[2] = { 1.0F / geometry->GetWidth(), 1.0F / geometry->GetHeight() };
   const double* range = view.Renderer->GetActiveCamera()->GetClippingRange();
-  const float clippingRange[2] = { static_cast<float>(range[0]), static_cast<float>(range[1]) };
+  const float clippingRange[2] = { static_cast<float>(range[0] - view.DepthOrigin),
+    static_cast<float>(range[1] - view.DepthOrigin) };
   geometry->Activate();
   visibility->Activate();
   program->SetUniformi("geometry", geometry->GetTextureUnit());

@@ -46,6 +46,7 @@ vtkSSAOView::vtkSSAOView(const vtkRenderState* state)
   , DeviceOfScene(1.0, 1.0, 0.0, 0.0)
   , Samples(0)
   , Clamped(true)
+  , DepthOrigin(0.0)
 {
   if (!this->Window)
   {
@@ -108,6 +109,14 @@ vtkSSAOView::vtkSSAOView(const vtkRenderState* state)
     {
       matrix[column][row] = clipOfView->GetElement(column, row);
     }
+  }
+  const double* range = camera->GetClippingRange();
+  const double thickness = range[1] - range[0];
+  if (camera->GetParallelProjection() && range[0] > thickness)
+  {
+    // Depths from once to twice the thickness: positive, and none much finer than another.
+    this->DepthOrigin = range[0] - thickness;
+    matrix[3] -= matrix[2] * this->DepthOrigin;
   }
   this->Projection = vtkSSAOProjection::FromMatrix(matrix, this->Viewport);
 }

@@ -52,11 +52,18 @@ public:
   glm::ivec4 Viewport;                     ///< x, y, width, height in pixels of Framebuffer
   glm::ivec4 Drawn;                        ///< the part of Viewport in which stages draw
   glm::ivec2 TextureSize;                  ///< size of textures that share its pixel coordinates
-  glm::dvec4 PixelOfTexel;  ///< (scale, offset): pixel of Framebuffer at a texel's centre
-  glm::dvec4 DeviceOfScene; ///< (scale, offset): of normalized device coordinates
-  int Samples;              ///< samples per pixel of Framebuffer, 0 for one
-  bool Clamped;             ///< whether Framebuffer holds colours up to 1 only
-  vtkSSAOProjection Projection;
+  glm::dvec4 PixelOfTexel;      ///< (scale, offset): pixel of Framebuffer at a texel's centre
+  glm::dvec4 DeviceOfScene;     ///< (scale, offset): of normalized device coordinates
+  int Samples;                  ///< samples per pixel of Framebuffer, 0 for one
+  bool Clamped;                 ///< whether Framebuffer holds colours up to 1 only
+  vtkSSAOProjection Projection; ///< with depths counted from DepthOrigin on
+
+  /**
+   * How far in front of the camera captured depths begin, world units. In parallel projection the
+   * camera may be far from a scene that a narrow clipping range encloses: near depths keep the
+   * digits that far ones have not in float32. 0 if there is nothing to gain.
+   */
+  double DepthOrigin;
 
 private:
   const char* Reason = nullptr;

@@ -150,6 +150,14 @@ std::vector<float> Download(vtkTextureObject* texture, const glm::ivec4& viewpor
 }
 
 //------------------------------------------------------------------------------
+// A depth as the textures hold it, counted from the camera on. 0 and no end stay, and so does a sign.
+float FromCamera(float depth, double origin)
+{
+  const bool isPlace = depth != 0.0F && std::abs(depth) < 1.0e29F;
+  return isPlace ? depth + std::copysign(static_cast<float>(origin), depth) : depth;
+}
+
+//------------------------------------------------------------------------------
 // Gives the image one float array of the viewport's size; returns where its pixels go.
 float* NewPixels(vtkImageData* image, const glm::ivec4& viewport, int components, const char* name)
 {
@@ -216,6 +224,7 @@ public:
   vtkTextureObject* Visibility = nullptr; ///< of this frame, denoised
   bool HasSolids = false;                 ///< whether the layer stage holds this frame's
   glm::ivec4 Viewport = glm::ivec4(0);    ///< of this frame within these textures
+  double DepthOrigin = 0.0;               ///< of this frame, see vtkSSAOView
   glm::ivec4 Estimated = glm::ivec4(0);   ///< part of this frame's estimated pixels that was drawn
   bool Reused = false;                    ///< whether this frame's visibility is the last one's
   std::vector<double> Frame;              ///< what the last visibility depends on
@@ -405,6 +414,7 @@ bool vtkScreenSpaceAmbientOcclusionPass::CaptureSurfaces(
     return false;
   }
   stages.Viewport = view.Viewport;
+  stages.DepthOrigin = view.DepthOrigin;
   stages.Geometry = stages.Capture->GetGeometry();
   if (view.Samples)
   {
@@ -650,6 +660,7 @@ bool vtkScreenSpaceAmbientOcclusionPass::GetVisibility(vtkImageData* image)
 bool vtkScreenSpaceAmbientOcclusionPass::GetGeometry(vtkImageData* image)
 {
   const glm::ivec4 viewport = this->Stages->Viewport;
+  const double origin = this->Stages->DepthOrigin;
   const std::vector<float> values = Download(this->Stages->Geometry, viewport);
   if (values.empty())
   {
@@ -661,7 +672,7 @@ bool vtkScreenSpaceAmbientOcclusionPass::GetGeometry(vtkImageData* image)
     const bool surface = values[i] > 0.0F;
     const glm::vec3 normal = surface ? shader::ssaoUnpackNormal(values[i + 1]) : glm::vec3(0.0F);
     const glm::vec3 facet = surface ? shader::ssaoUnpackFacet(values[i + 2]) : glm::vec3(0.0F);
-    pixel[0] = values[i];
+    pixel[0] = surface ? FromCamera(values[i], origin) : 0.0F;
     std::copy(&normal[0], &normal[0] + 3, pixel + 1);
     std::copy(&facet[0], &facet[0] + 3, pixel + 4);
     pixel[7] = surface ? shader::ssaoUnpackFacing(values[i + 2]) : 0.0F;
@@ -685,8 +696,11 @@ bool vtkScreenSpaceAmbientOcclusionPass::GetSolids(vtkImageData* image)
   float* pixel = NewPixels(image, viewport, 8, "Solids");
   for (std::size_t i = 0; i < first.size(); i += 4, pixel += 8)
   {
-    std::copy(&first[i], &first[i] + 4, pixel);
-    std::copy(&second[i], &second[i] + 4, pixel + 4);
+    for (int j = 0; j < 4; ++j)
+    {
+      pixel[j] = FromCamera(first[i + j], stages.DepthOrigin);
+      pixel[4 + j] = FromCamera(second[i + j], stages.DepthOrigin);
+    }
   }
   return true;
 }

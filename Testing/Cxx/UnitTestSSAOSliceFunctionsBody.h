@@ -355,6 +355,26 @@ inline void TestSampleShare(vtkSSAOTestMonitor& test, const std::string& what)
 }
 
 //------------------------------------------------------------------------------
+inline void TestShareInside(vtkSSAOTestMonitor& test, const std::string& what)
+{
+  const vec4 viewport(Scalar(10), Scalar(20), Scalar(100), Scalar(50));
+  const auto share = [&](double x, double y, double reachX, double reachY)
+  {
+    return double(
+      ssaoShareInside(vec2(Scalar(x), Scalar(y)), vec2(Scalar(reachX), Scalar(reachY)), viewport));
+  };
+  test.ExpectEqual(share(60, 45, 20, -20), 1.0, what + "a trace inside the viewport");
+  test.ExpectNear(share(60, 45, 100, 0), 0.5, Epsilon, what + "a trace across the right border");
+  test.ExpectNear(share(60, 45, -80, 0), 0.625, Epsilon, what + "a trace across the left border");
+  test.ExpectNear(share(60, 45, 30, 100), 0.25, Epsilon, what + "a trace across the upper border");
+  test.ExpectNear(share(60, 45, 3, -40), 0.625, Epsilon, what + "a trace across the lower border");
+  test.ExpectEqual(
+    share(60, 69.5, 0, 40), 0.0, what + "a trace that leaves before its first sample");
+  test.ExpectEqual(share(60, 69.5, 0, 0.4), 1.0, what + "a short trace at the border");
+  test.ExpectEqual(share(60, 45, 0, 0), 1.0, what + "no trace");
+}
+
+//------------------------------------------------------------------------------
 // The stretches of a ray as vtkSSAOPass1SolidsFS.glsl makes them of its layers.
 inline SsaoSolids Solids(const std::vector<double>& layers, double sheet)
 {
@@ -535,6 +555,7 @@ inline void TestAll(vtkSSAOTestMonitor& test, const std::string& what)
   TestCorner(test, what);
   TestRays(test, what);
   TestSampleShare(test, what);
+  TestShareInside(test, what);
   TestSolids(test, what);
   TestSectors(test, what);
 }

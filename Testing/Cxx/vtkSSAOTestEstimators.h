@@ -33,6 +33,31 @@ constexpr const char* EstimatorNames[] = { "CrytekSphere", "PositionSphere", "De
 constexpr int NumberOfEstimators = 9;
 
 //------------------------------------------------------------------------------
+/// V of a view before denoising, and a twin of what it was made from.
+struct RawAndTwin
+{
+  vtkSSAOTestImage Raw;
+  vtkSSAOTwin Twin;
+};
+
+inline RawAndTwin RenderWithTwin(vtkSSAOTestView& view)
+{
+  const int denoiser = view.Pass->GetDenoiser();
+  view.Pass->SetDenoiserToNone();
+  const vtkSSAOTestImage raw = view.Visibility();
+  view.Pass->SetDenoiser(denoiser);
+  vtkNew<vtkImageData> geometry;
+  view.Pass->GetGeometry(geometry);
+  vtkSSAOTwin twin(geometry, view.Renderer->GetActiveCamera());
+  vtkNew<vtkImageData> solids;
+  if (view.Pass->GetSolids(solids))
+  {
+    twin.SetSolids(solids);
+  }
+  return { raw, twin };
+}
+
+//------------------------------------------------------------------------------
 /**
  * The picture in single precision, not denoised, equals the same text in double to within 1/255.
  *
@@ -44,18 +69,9 @@ constexpr int NumberOfEstimators = 9;
  */
 inline void ExpectTwin(vtkSSAOTestMonitor& test, vtkSSAOTestView& view, const std::string& what)
 {
-  const int denoiser = view.Pass->GetDenoiser();
-  view.Pass->SetDenoiserToNone();
-  const vtkSSAOTestImage picture = view.Visibility();
-  view.Pass->SetDenoiser(denoiser);
-  vtkNew<vtkImageData> geometry;
-  view.Pass->GetGeometry(geometry);
-  vtkSSAOTwin twin(geometry, view.Renderer->GetActiveCamera());
-  vtkNew<vtkImageData> solids;
-  if (view.Pass->GetSolids(solids))
-  {
-    twin.SetSolids(solids);
-  }
+  const RawAndTwin pair = RenderWithTwin(view);
+  const vtkSSAOTestImage& picture = pair.Raw;
+  const vtkSSAOTwin& twin = pair.Twin;
   const vtkSSAOOcclusionSettings settings = vtkSSAOOcclusionSettings::Of(view.Pass);
   const std::vector<double> exact = twin.Visibility(settings);
 

@@ -147,6 +147,37 @@ mutations()
     'PrintSelf leaves one out'
   m unmodified "$pass" '/template <typename Value>/,/^}/s/this->Modified();//' \
     'setters do not mark the pass as modified'
+
+  # stability
+  m absolute-length glsl/vtkSSAOPass0SliceFunctions.glsl 's/float(1\.0e-30)));/float(1.0e-9)));/' \
+    'distances below 3e-5 world units are not told apart'
+  m window-depth glsl/vtkSSAOPass1CaptureDeclarationsFS.glsl \
+    's/(ssaoDepthOrigin > 0\.0 /(ssaoDepthOrigin >= 0.0 /' \
+    'depths are always those of the depth buffer'
+  m depths-from-camera vtkSSAOView.cxx 's/range\[0\] > thickness/range[0] > 1e30 * thickness/' \
+    'depths are always counted from the camera'
+  m facet-without-margin glsl/vtkSSAOPass0SliceFunctions.glsl \
+    's/inverse > float(0\.01)/inverse > float(0.0)/' \
+    'all that rounding lifts above the facet hides'
+  m below-facet glsl/vtkSSAOPass0SliceFunctions.glsl 's/inverse > float(0\.01)/inverse > float(-1.0)/' \
+    'what lies below the facet hides'
+  m parallel-reach-halved glsl/vtkSSAOPass0SliceFunctions.glsl \
+    's/return ssaoTransform2(rayToPixel, moved \/ depth);/return ssaoTransform2(rayToPixel, moved \/ depth) * (float(0.5) + float(0.5) * perspective);/' \
+    'half of the radius in parallel projection'
+  m nearest-sample-far glsl/vtkSSAOPass0SliceFunctions.glsl \
+    's/min(float(1\.3) \/ reachInPixels/min(float(20.0) \/ reachInPixels/' \
+    'no sample is nearer than 20 pixels'
+  m background-captured vtkSSAOCapturePass.cxx \
+    's/vtkglClearColor(0\.0F,/vtkglClearColor(5.0F * view.Renderer->GetBackground()[0],/' \
+    'the background is a surface as far away as it is red'
+  m sides-wound-twice glsl/vtkSSAOPass1SolidsFS.glsl 's/if (back < none \&\&/if (false \&\&/' \
+    'a face wound both ways is not one sheet'
+  m samples-beyond-border glsl/vtkSSAOPass2LayeredBitmask.glsl \
+    's/float inside = ssaoShareInside(.*/float inside = float(1.0);/' \
+    'samples are taken outside the picture'
+  m shader-not-as-twin glsl/vtkSSAOPass2OcclusionFS.glsl \
+    's/ssaoVisibility(pixel, center) :/0.99 * ssaoVisibility(pixel, center) :/' \
+    'V differs from the twin by a hundredth'
 }
 
 # ----- arguments ----------------------------------------------------------------------------------

@@ -66,3 +66,19 @@ double vtkSSAOMeanDifference(const vtkSSAOTestImage& a, const vtkSSAOTestImage& 
   }
   return sum / a.Values.size();
 }
+
+//------------------------------------------------------------------------------
+double vtkSSAOShareBeyond(const vtkSSAOTestImage& a, const vtkSSAOTestImage& b, double limit)
+{
+  if (a.Width != b.Width || a.Height != b.Height)
+  {
+    return 1.0;
+  }
+  std::size_t beyond = 0;
+  for (std::size_t i = 0; i < a.Values.size(); ++i)
+  {
+    // NaN counts as well.
+    beyond += std::abs(static_cast<double>(a.Values[i]) - b.Values[i]) <= limit ? 0 : 1;
+  }
+  return static_cast<double>(beyond) / a.Values.size();
+}

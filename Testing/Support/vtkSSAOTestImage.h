@@ -59,4 +59,9 @@ vtkSSAOStatistics vtkSSAOMeasure(
 double vtkSSAOLargestDifference(const vtkSSAOTestImage& a, const vtkSSAOTestImage& b);
 double vtkSSAOMeanDifference(const vtkSSAOTestImage& a, const vtkSSAOTestImage& b);
 
+/**
+ * The share of the pixels that differ by more than a limit; 1 for different sizes.
+ */
+double vtkSSAOShareBeyond(const vtkSSAOTestImage& a, const vtkSSAOTestImage& b, double limit);
+
 #endif

@@ -2,6 +2,7 @@
 #include "vtkSSAOTestView.h"
 
 #include "vtkActor.h"
+#include "vtkActorCollection.h"
 #include "vtkAlgorithm.h"
 #include "vtkCamera.h"
 #include "vtkImageData.h"
@@ -9,11 +10,15 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkSSAOReportMethods.h"
 #include "vtkSSAOTestMonitor.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkWeakPointer.h"
+
+#include <utility>
 
 namespace
 {
@@ -152,6 +157,53 @@ vtkSSAOTestImage vtkSSAOTestView::Visibility()
     return vtkSSAOTestImage();
   }
   return Component(image, 0);
+}
+
+//------------------------------------------------------------------------------
+vtkSSAOTestImage vtkSSAOTestView::VisibilityOfVTK(double radius)
+{
+  std::vector<std::pair<vtkActor*, vtkSmartPointer<vtkProperty>>> shown;
+  vtkActorCollection* actors = this->Renderer->GetActors();
+  vtkCollectionSimpleIterator it;
+  actors->InitTraversal(it);
+  while (vtkActor* actor = actors->GetNextActor(it))
+  {
+    shown.emplace_back(actor, actor->GetProperty());
+    vtkNew<vtkProperty> white;
+    white->DeepCopy(actor->GetProperty());
+    white->SetColor(1.0, 1.0, 1.0);
+    white->SetAmbient(1.0);
+    white->SetDiffuse(0.0);
+    white->SetSpecular(0.0);
+    actor->SetProperty(white);
+  }
+  vtkSmartPointer<vtkImageProcessingPass> pass;
+  for (const vtkSSAOReportMethod& method : vtkSSAOReportMethods(true))
+  {
+    pass = method.IsVTK && method.Samples == 64 ? method.NewPass(radius) : pass;
+  }
+  this->Renderer->SetPass(pass);
+  vtkSmartPointer<vtkImageData> picture = this->Picture();
+  pass->ReleaseGraphicsResources(this->Window);
+  this->Renderer->SetPass(this->Pass);
+  for (const auto& pair : shown)
+  {
+    pair.first->SetProperty(pair.second);
+  }
+
+  const int* place = this->Renderer->GetOrigin();
+  const int* size = this->Renderer->GetSize();
+  vtkSSAOTestImage image(size[0], size[1]);
+  for (int y = 0; y < size[1]; ++y)
+  {
+    for (int x = 0; x < size[0]; ++x)
+    {
+      const auto* pixel =
+        static_cast<unsigned char*>(picture->GetScalarPointer(place[0] + x, place[1] + y, 0));
+      image.At(x, y) = *pixel / 255.0F;
+    }
+  }
+  return image;
 }
 
 //------------------------------------------------------------------------------

@@ -68,6 +68,12 @@ public:
    */
   vtkSSAOTestImage Visibility();
 
+  /**
+   * What VTK's own pass makes of the same scene, as the report sets it: 64 points, blur, bias a
+   * hundredth of the radius. It multiplies the finished colour, so the scene is white meanwhile.
+   */
+  vtkSSAOTestImage VisibilityOfVTK(double radius);
+
   ///@{
   /**
    * The geometry that the last render captured: where a lit opaque surface is seen (1, elsewhere

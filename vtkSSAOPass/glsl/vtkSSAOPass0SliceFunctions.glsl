@@ -131,6 +131,18 @@ float ssaoSampleShare(float index, float count, float reachInPixels)
   return max(t * t, min(float(1.3) / reachInPixels, float(1.0)));
 }
 
+// Share of a trace that lies inside the viewport, 0 to 1; 0 if it leaves within the 1.3 pixels of the
+// nearest sample. pixel: inside the viewport; reach: pixels of the whole trace.
+float ssaoShareInside(vec2 pixel, vec2 reach, vec4 viewport)
+{
+  vec2 left = vec2(reach.x > float(0.0) ? viewport.x + viewport.z - pixel.x : pixel.x - viewport.x,
+    reach.y > float(0.0) ? viewport.y + viewport.w - pixel.y : pixel.y - viewport.y);
+  float share = min(left.x / max(abs(reach.x), float(1.0e-6)),
+    left.y / max(abs(reach.y), float(1.0e-6)));
+  bool leaves = share < float(1.0) && share * length(reach) < float(1.3);
+  return leaves ? float(0.0) : min(share, float(1.0));
+}
+
 // The stretches of a pixel's ray that lie inside solids, by their depths: front 0, back 0: none.
 // And what has been met so far, front to back.
 struct SsaoSolids

@@ -1,8 +1,12 @@
 // Stage 1, put before main() of a mapper's fragment shader.
 uniform vec3 ssaoOccludableWeights; // of the ambient, the diffuse and the whole colour
 uniform vec4 ssaoDepthOfWindowRows; // rows 2 and 3 of the projection, see ssaoDepthOfWindow
+uniform float ssaoDepthOrigin;      // how far in front of the camera depths begin, world units
 uniform float ssaoPerspective;      // 1: perspective, 0: parallel projection
 uniform float ssaoFrontSign;        // -1: the actor's transform mirrors, front and back are swapped
+// Where depths do not begin at the camera, the window's have more digits than those of VC.
+#define SSAO_MESH_DEPTH (ssaoDepthOrigin > 0.0 \
+    ? ssaoDepthOfWindow(gl_FragCoord.z, ssaoDepthOfWindowRows) : -vertexVC.z)
 #if defined(SSAO_LAYERS)
 #define SSAO_NONE 1.0e30
 uniform sampler2D ssaoLayersBefore; // first round: the captured geometry, later: the layers before

@@ -2,8 +2,10 @@
 #if defined(SSAO_LIT)
 #if defined(SSAO_SPRITE)
   float ssaoDepth = ssaoDepthOfWindow(gl_FragDepth, ssaoDepthOfWindowRows);
+#elif defined(SSAO_IMPOSTOR)
+  float ssaoDepth = -vertexVC.z - ssaoDepthOrigin;
 #else
-  float ssaoDepth = -vertexVC.z;
+  float ssaoDepth = SSAO_MESH_DEPTH;
 #endif
 #if defined(SSAO_IMPOSTOR)
   float ssaoFacing = 1.0;

@@ -22,6 +22,11 @@
     float ssaoOff = ssaoMargin.x * ssaoDepth + ssaoMargin.y * fwidth(ssaoDepth);
 #endif
     vec4 ssaoWithin = ssaoBounds + vec4(ssaoOff, -ssaoOff, ssaoOff, -ssaoOff);
+    // Its other side may lie in the very same place: a face that is there twice, wound both ways.
+    float ssaoCoincident = ssaoFirst - 4.0 * ssaoOff;
+    bool ssaoFirstIsFront = ssaoUnpackFacing(ssaoKnown.z) > 0.0;
+    ssaoWithin.x = ssaoFirstRound > 0.5 && !ssaoFirstIsFront ? ssaoCoincident : ssaoWithin.x;
+    ssaoWithin.z = ssaoFirstRound > 0.5 && ssaoFirstIsFront ? ssaoCoincident : ssaoWithin.z;
     bool ssaoIsFront = ssaoEnds.x > ssaoWithin.x && ssaoEnds.x < ssaoWithin.y;
     bool ssaoIsBack = ssaoEnds.y > ssaoWithin.z && ssaoEnds.y < ssaoWithin.w;
     vec2 ssaoLimit =

@@ -40,10 +40,22 @@ void main()
   vec4 fronts = sorted(outer.xy, inside.xy);
   vec4 backs = sorted(outer.zw, inside.zw);
 
-  // Merge the two lists; negative: a back.
-  float depths[SSAO_LAYERS];
   bool known = firstKnown == 1;
   float facing = known ? ssaoUnpackFacing(first.z) : (fronts.x <= backs.x ? 1.0 : -1.0);
+  // A face that is there twice, wound both ways, is a sheet that shows its front, whichever of the two
+  // the rasteriser chose.
+  bool firstIsBack = known && facing < 0.0;
+  float front = known && !firstIsBack ? first.x : fronts.x;
+  float back = firstIsBack ? first.x : backs.x;
+  if (back < none && abs(front - back) < 1.0e-5 * back)
+  {
+    fronts = firstIsBack ? vec4(fronts.yzw, none) : fronts;
+    backs = vec4(1.00001 * front, firstIsBack ? backs.xyz : backs.yzw);
+    facing = 1.0;
+  }
+
+  // Merge the two lists; negative: a back.
+  float depths[SSAO_LAYERS];
   float nearestOfAll = known ? first.x : min(fronts.x, backs.x);
   depths[0] = known ? first.x : 0.0;
   int count = depths[0] > 0.0 ? 1 : 0;

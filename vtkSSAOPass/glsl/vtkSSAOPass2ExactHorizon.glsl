@@ -5,18 +5,17 @@
 // slices is divided by what it would be without occluders, so that an open surface is 1 exactly.
 //   pixel    position in the framebuffer
 //   center   the geometry there: (depth, packed normal, packed facet normal, 1)
-// Returns the visible share, 1 open. Samples outside the viewport are skipped, and what their side of
-// the slice weighs is less by their share.
+// Returns the visible share, 1 open. All samples are taken inside the viewport; where it cuts a side
+// of a slice short that side weighs less, as if the samples beyond had been skipped.
 
-// The largest cosine, against the view direction, of what is seen from a point to one side, and which
-// share of the samples lay inside the picture.
-//   reach    pixels that the radius covers on this side
+// The largest cosine, against the view direction, of what is seen from a point to one side.
+//   reach    pixels that the radius covers on this side, inside the picture
 //   lowest   cosine of the lowest open angle
-vec2 ssaoHorizonCosine(vec2 pixel, vec2 reach, float reachInPixels, float centerDepth,
-  vec2 centerRay, vec3 facet, vec3 viewer, float lowest, float jitter, int count)
+float ssaoHorizonCosine(vec2 pixel, vec2 reach, float reachInPixels, float centerDepth,
+  vec2 centerRay, vec3 facet, vec3 viewer, float lowest, float jitter)
 {
+  int count = min(steps, int(ceil(reachInPixels)));
   float highest = lowest;
-  float inside = float(0.0);
   for (int i = 0; i < count; ++i)
   {
     vec2 at = floor(pixel + reach * ssaoSampleShare(float(i) + jitter, float(count), reachInPixels)) +
@@ -25,12 +24,11 @@ vec2 ssaoHorizonCosine(vec2 pixel, vec2 reach, float reachInPixels, float center
     SsaoRay ray = ssaoRayOf(
       ssaoTransform2(pixelToRay, at - pixel), centerDepth, centerRay, facet, viewer, perspective);
     float t = depth - centerDepth;
-    bool known = ssaoIsInViewport(at, viewport);
-    inside += known ? float(1.0) : float(0.0);
-    known = known && depth > float(0.0) && ssaoSquaredDistance(ray, t) <= radius * radius;
+    bool known = ssaoIsInViewport(at, viewport) && depth > float(0.0) &&
+      ssaoSquaredDistance(ray, t) <= radius * radius;
     highest = known ? max(highest, ssaoCosineAt(ray, t, lowest)) : highest;
   }
-  return vec2(highest, inside / float(max(count, 1)));
+  return highest;
 }
 
 float ssaoVisibility(vec2 pixel, vec4 center)
@@ -55,20 +53,20 @@ float ssaoVisibility(vec2 pixel, vec4 center)
     turn = ssaoTurned(turn, sliceTurn);
     vec2 reach = ssaoTrace(slice, positionVC, rayToPixel, perspective) * radius;
     float reachInPixels = length(reach);
-    int count = min(steps, int(ceil(reachInPixels)));
-    vec2 ahead = ssaoHorizonCosine(pixel, reach, reachInPixels, center.x, centerRay, facet, viewer,
-      slice.lowestAhead, noise.y, count);
-    vec2 behind = ssaoHorizonCosine(pixel, -reach, reachInPixels, center.x, centerRay, facet, viewer,
-      slice.lowestBehind, noise.y, count);
-    visible += slice.weight *
-      (ahead.y * ssaoArcMeasure(ahead.x, slice.normalCosine, slice.normalSine) +
-        behind.y * ssaoArcMeasure(behind.x, slice.normalCosine, -slice.normalSine));
-    open += slice.weight *
-      (ahead.y * ssaoArcMeasure(slice.lowestAhead, slice.normalCosine, slice.normalSine) +
-        behind.y * ssaoArcMeasure(slice.lowestBehind, slice.normalCosine, -slice.normalSine));
-    whole += slice.weight *
-      (ssaoArcMeasure(slice.lowestAhead, slice.normalCosine, slice.normalSine) +
-        ssaoArcMeasure(slice.lowestBehind, slice.normalCosine, -slice.normalSine));
+    float shareAhead = ssaoShareInside(pixel, reach, viewport);
+    float shareBehind = ssaoShareInside(pixel, -reach, viewport);
+    float ahead = ssaoHorizonCosine(pixel, reach * shareAhead, reachInPixels * shareAhead, center.x,
+      centerRay, facet, viewer, slice.lowestAhead, noise.y);
+    float behind = ssaoHorizonCosine(pixel, -reach * shareBehind, reachInPixels * shareBehind,
+      center.x, centerRay, facet, viewer, slice.lowestBehind, noise.y);
+    float knownAhead = slice.weight * sqrt(shareAhead);
+    float knownBehind = slice.weight * sqrt(shareBehind);
+    float openAhead = ssaoArcMeasure(slice.lowestAhead, slice.normalCosine, slice.normalSine);
+    float openBehind = ssaoArcMeasure(slice.lowestBehind, slice.normalCosine, -slice.normalSine);
+    visible += knownAhead * ssaoArcMeasure(ahead, slice.normalCosine, slice.normalSine) +
+      knownBehind * ssaoArcMeasure(behind, slice.normalCosine, -slice.normalSine);
+    open += knownAhead * openAhead + knownBehind * openBehind;
+    whole += slice.weight * (openAhead + openBehind);
   }
   ssaoCertainty = open / max(whole, float(0.000001));
   return open > float(0.000001) ? clamp(visible / open, float(0.0), float(1.0)) : float(1.0);

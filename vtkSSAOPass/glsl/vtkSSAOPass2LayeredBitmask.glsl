@@ -7,8 +7,8 @@
 // With one contiguous arc to either side the result is that of ExactHorizon.
 //   pixel    position in the framebuffer
 //   center   the geometry there: (depth, packed normal, packed facet normal, 1)
-// Returns the visible share, 1 open. Samples outside the viewport are skipped, and what their side of
-// the slice weighs is less by their share.
+// Returns the visible share, 1 open. All samples are taken inside the viewport; where it cuts a side
+// of a slice short that side weighs less, as if the samples beyond had been skipped.
 
 int ssaoNumberOfSectors(int sectors)
 {
@@ -53,12 +53,11 @@ int ssaoSectorsOf(
 // What is known of one side of a slice.
 struct SsaoSide
 {
-  vec2 reach;             // pixels that the radius covers
+  vec2 reach;             // pixels that the radius covers inside the picture
   float lowest;           // cosine of the lowest open angle
   float normalSine;       // of the projected normal's angle, positive where it leans to this side
   float sectorsPerMeasure;
   int hidden;             // sectors, as bits
-  float known;            // number of samples inside the picture
   vec3 first;             // the arcs of the sample before
   vec3 second;
   vec3 third;
@@ -73,7 +72,6 @@ SsaoSide ssaoSide(vec2 reach, float lowest, float normalCosine, float normalSine
   side.sectorsPerMeasure =
     float(30.0) / max(ssaoArcMeasureNear(lowest, normalCosine, normalSine), float(0.000001));
   side.hidden = 0;
-  side.known = float(0.0);
   // At first the surface itself, on the horizon.
   side.first = vec3(centerDepth, lowest, lowest);
   side.second = vec3(float(-1.0e30), lowest, lowest);
@@ -81,16 +79,22 @@ SsaoSide ssaoSide(vec2 reach, float lowest, float normalCosine, float normalSine
   return side;
 }
 
+// Centre of the solids' texel that a pixel falls into.
+vec2 ssaoSolidsTexelOf(vec2 pixel)
+{
+  return floor((pixel - vec2(solidsPlace.z, solidsPlace.w)) / vec2(solidsPlace.x, solidsPlace.y)) +
+    vec2(float(0.5), float(0.5));
+}
+
 // Marks what a sample hides.
-//   share    of the radius at which it is taken;  join: fronts nearer than this lie on one surface
+//   facing   1 where the point's surface shows its front, -1 where it shows its back
+//   share    of the reach at which it is taken;  join: fronts nearer than this lie on one surface
 //   jitter   from 0 to 1: how arcs are rounded
 SsaoSide ssaoTakeSample(SsaoSide side, vec2 pixel, float share, float join, vec4 center,
-  vec2 centerRay, vec3 facet, vec3 viewer, float normalCosine, float jitter)
+  float facing, vec2 centerRay, vec3 facet, vec3 viewer, float normalCosine, float jitter)
 {
-  vec2 place = vec2(solidsPlace.z, solidsPlace.w);
-  vec2 edge = vec2(solidsPlace.x, solidsPlace.y);
-  vec2 texel = floor((pixel + side.reach * share - place) / edge) + vec2(float(0.5), float(0.5));
-  vec2 at = texel * edge + place;
+  vec2 texel = ssaoSolidsTexelOf(pixel + side.reach * share);
+  vec2 at = texel * vec2(solidsPlace.x, solidsPlace.y) + vec2(solidsPlace.z, solidsPlace.w);
   SsaoRay ray = ssaoRayOf(
     ssaoTransform2(pixelToRay, at - pixel), center.x, centerRay, facet, viewer, perspective);
   float inverse = float(1.0) / ray.squares.z;
@@ -99,7 +103,7 @@ SsaoSide ssaoTakeSample(SsaoSide side, vec2 pixel, float share, float join, vec4
   float halfLength = ssaoIsInViewport(at, drawn) ? sqrt(max(squaredHalf, float(0.0))) : float(0.0);
   vec2 ball = vec2(middle - halfLength, middle + halfLength);
   SsaoStretches solids =
-    ssaoStretchesSeen(ssaoSolidsAt(texel), ssaoMoreSolidsAt(texel), ssaoUnpackFacing(center.z), sheet);
+    ssaoStretchesSeen(ssaoSolidsAt(texel), ssaoMoreSolidsAt(texel), facing, sheet);
   vec3 first = ssaoHiddenArc(ray, solids.first, center.x, ball, side.lowest);
   vec3 second = ssaoHiddenArc(ray, solids.second, center.x, ball, side.lowest);
   vec3 third = ssaoHiddenArc(ray, solids.third, center.x, ball, side.lowest);
@@ -108,7 +112,6 @@ SsaoSide ssaoTakeSample(SsaoSide side, vec2 pixel, float share, float join, vec4
   vec3 secondJoined = ssaoJoin(ssaoJoin(second, side.first, join), side.second, join);
   vec3 thirdJoined = ssaoJoin(third, side.third, join);
   SsaoSide result = side;
-  result.known = side.known + (ssaoIsInViewport(at, viewport) ? float(1.0) : float(0.0));
   result.hidden = side.hidden |
     ssaoSectorsOf(firstJoined, normalCosine, side.normalSine, side.sectorsPerMeasure, jitter) |
     ssaoSectorsOf(secondJoined, normalCosine, side.normalSine, side.sectorsPerMeasure, jitter) |
@@ -140,6 +143,11 @@ float ssaoVisibility(vec2 pixel, vec4 center)
   vec2 turn = vec2(noise.z, noise.w);
   float footprint = solidsPlace.x * length(vec2(pixelToRay.x, pixelToRay.z)) *
     (perspective * center.x + (float(1.0) - perspective));
+  // Of a face that is there twice the solids know which side counts; where they were looked for at
+  // another pixel they may tell of another surface.
+  float own = ssaoSolidsAt(ssaoSolidsTexelOf(pixel)).x;
+  bool isOwn = abs(abs(own) - center.x) < footprint;
+  float facing = isOwn ? (own < float(0.0) ? float(-1.0) : float(1.0)) : ssaoUnpackFacing(center.z);
   float visible = float(0.0);
   float open = float(0.0);
   float whole = float(0.0);
@@ -150,20 +158,22 @@ float ssaoVisibility(vec2 pixel, vec4 center)
   {
     SsaoSlice slice = ssaoSlice(across, up, viewer, normal, facet, turn);
     vec2 reach = ssaoTrace(slice, positionVC, rayToPixel, perspective) * radius;
-    float reachInPixels = length(reach) / solidsPlace.x;
-    SsaoSide side = ssaoSide(reach * sign, sign > float(0.0) ? slice.lowestAhead : slice.lowestBehind,
-      slice.normalCosine, slice.normalSine * sign, center.x);
+    float inside = ssaoShareInside(pixel, reach * sign, viewport);
+    float reachInPixels = length(reach) * inside / solidsPlace.x;
+    SsaoSide side = ssaoSide(reach * (sign * inside),
+      sign > float(0.0) ? slice.lowestAhead : slice.lowestBehind, slice.normalCosine,
+      slice.normalSine * sign, center.x);
     float shareBefore = float(0.0);
     int count = min(steps, int(ceil(reachInPixels)));
     for (int j = 0; j < count; ++j)
     {
       float share = ssaoSampleShare(float(j) + noise.y, float(count), reachInPixels);
-      float join = float(4.0) * max((share - shareBefore) * radius, footprint);
+      float join = float(4.0) * max((share - shareBefore) * inside * radius, footprint);
       shareBefore = share;
-      side = ssaoTakeSample(
-        side, pixel, share, join, center, centerRay, facet, viewer, slice.normalCosine, noise.y);
+      side = ssaoTakeSample(side, pixel, share, join, center, facing, centerRay, facet, viewer,
+        slice.normalCosine, noise.y);
     }
-    float weight = slice.weight * side.known / float(max(count, 1));
+    float weight = slice.weight * sqrt(inside);
     visible += weight * ssaoVisibleMeasure(side);
     open += weight * float(30.0) / side.sectorsPerMeasure;
     whole += slice.weight * float(30.0) / side.sectorsPerMeasure;
