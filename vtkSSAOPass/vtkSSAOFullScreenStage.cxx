@@ -71,6 +71,13 @@ vtkShaderProgram* vtkSSAOFullScreenStage::UseProgram(
   vtkOpenGLRenderWindow* window, const std::string& fragmentShader)
 {
   std::unique_ptr<vtkOpenGLQuadHelper>& quad = this->Quads[fragmentShader];
+  // The helper does not look whether it has got a program. VTK finds it again.
+  if (!quad &&
+    !window->GetShaderCache()->ReadyShaderProgram(
+      vtkSSAOPassFullScreenVS, fragmentShader.c_str(), ""))
+  {
+    return nullptr;
+  }
   if (!quad)
   {
     quad.reset(

@@ -28,8 +28,10 @@
 #include "vtkSSAORenderSteps.h"
 #include "vtkSSAOResolveStage.h"
 #include "vtkSSAOShaderFunctions.h"
+#include "vtkSSAOTileMargin.h"
 #include "vtkSSAOView.h"
 #include "vtkTextureObject.h"
+#include "vtkViewport.h"
 #include "vtkWeakPointer.h"
 #include "vtkWindow.h"
 
@@ -68,6 +70,17 @@ private:
 vtkStandardNewMacro(vtkSSAOOpaqueStep);
 
 //------------------------------------------------------------------------------
+// The props that a picker was told to choose from; nullptr for all. VTK has no method for it.
+class PickListOf : public vtkViewport
+{
+public:
+  static vtkPropCollection* Get(vtkViewport* viewport)
+  {
+    return viewport->*(&PickListOf::PickFromProps);
+  }
+};
+
+//------------------------------------------------------------------------------
 // Draws what a hardware selector asks for in place of the scene.
 class vtkSSAOSelectionStep : public vtkRenderPass
 {
@@ -77,8 +90,22 @@ public:
   void Render(const vtkRenderState* s) override
   {
     vtkRenderer* renderer = s->GetRenderer();
+    std::vector<vtkProp*> props(s->GetPropArray(), s->GetPropArray() + s->GetPropArrayCount());
+    if (vtkPropCollection* pickList = PickListOf::Get(renderer))
+    {
+      props.clear();
+      vtkCollectionSimpleIterator it;
+      pickList->InitTraversal(it);
+      while (vtkProp* prop = pickList->GetNextProp(it))
+      {
+        if (prop->GetVisibility())
+        {
+          props.push_back(prop);
+        }
+      }
+    }
     this->NumberOfRenderedProps =
-      renderer->GetSelector()->Render(renderer, s->GetPropArray(), s->GetPropArrayCount());
+      renderer->GetSelector()->Render(renderer, props.data(), static_cast<int>(props.size()));
   }
 
 protected:
@@ -223,7 +250,9 @@ public:
   vtkSmartPointer<vtkTextureObject> LastVisibility;
   vtkSmartPointer<vtkTextureObject> LastSolids;
   vtkSmartPointer<vtkTextureObject> LastMoreSolids;
+  vtkSmartPointer<vtkTextureObject> VisibilityOfTile; ///< of this frame, if it is a tile
   bool Warned = false;
+  bool Failed = false;              ///< whether something could not be built for the window
   vtkWeakPointer<vtkWindow> Window; ///< whose context the textures and programs belong to
   std::array<double, NumberOfStages> Times{};
   std::chrono::steady_clock::time_point StageStart;
@@ -251,9 +280,11 @@ public:
     this->Solids = nullptr;
     this->MoreSolids = nullptr;
     this->Frame.clear();
+    this->VisibilityOfTile = nullptr;
     this->LastVisibility = nullptr;
     this->LastSolids = nullptr;
     this->LastMoreSolids = nullptr;
+    this->Failed = false;
   }
 };
 
@@ -276,6 +307,7 @@ void vtkScreenSpaceAmbientOcclusionPass::Render(const vtkRenderState* s)
   stages.Visibility = nullptr;
   stages.Solids = nullptr;
   stages.MoreSolids = nullptr;
+  stages.VisibilityOfTile = nullptr;
   stages.Reused = false;
   stages.Times.fill(0.0);
   this->FollowWindow(s->GetRenderer()->GetVTKWindow());
@@ -317,6 +349,10 @@ void vtkScreenSpaceAmbientOcclusionPass::RenderScene(const vtkRenderState* s)
     stages.Camera->SetDelegatePass(stages.Steps);
     stages.Capture->SetOpaquePass(stages.Opaque);
     root = stages.Camera;
+    if (const char* reason = vtkSSAORenderSteps::WhyOtherPass(s))
+    {
+      this->WarnOnce(reason);
+    }
   }
   else
   {
@@ -361,12 +397,18 @@ int vtkScreenSpaceAmbientOcclusionPass::RenderOpaqueWithOcclusion(const vtkRende
   }
 
   stages.StageStart = std::chrono::steady_clock::now();
+  if (vtkSSAOTileMargin::IsNeeded(view))
+  {
+    this->FindVisibilityOfTile(view);
+  }
   if (!this->CaptureSurfaces(s, view))
   {
-    vtkErrorMacro("The capture framebuffer is incomplete; the scene is drawn without occlusion.");
+    this->Fail("A shader or framebuffer of the capture");
     stages.Capture->Render(s);
     return stages.Capture->GetNumberOfRenderedProps();
   }
+  const bool known = stages.VisibilityOfTile != nullptr;
+  stages.Visibility = stages.VisibilityOfTile;
   if (this->Denoiser == None || this->Denoiser == EdgeAware)
   {
     // The others average over the background.
@@ -375,14 +417,13 @@ int vtkScreenSpaceAmbientOcclusionPass::RenderOpaqueWithOcclusion(const vtkRende
   stages.Estimated = view.Coarse(vtkSSAOOcclusionSettings::Of(this).Downsampling).Drawn;
   const bool nothingToShade = this->OutputMode == Composite && !stages.Capture->HasSurfaces();
   const bool shaded = nothingToShade ||
-    ((this->ReuseVisibility(view) ||
+    ((known || this->ReuseVisibility(view) ||
        (this->FindLayers(s, view) && this->ComputeOcclusion(view) && this->RemoveNoise(view) &&
          this->KeepVisibility())) &&
       this->ModulateLight(view));
   if (!shaded)
   {
-    vtkErrorMacro("A shader or framebuffer of the occlusion could not be built; the scene is drawn "
-                  "without occlusion.");
+    this->Fail("A shader or framebuffer of the occlusion");
   }
   stages.Capture->RenderRemainder(s);
   vtkOpenGLCheckErrorMacro("failed after RenderOpaqueWithOcclusion");
@@ -392,7 +433,8 @@ int vtkScreenSpaceAmbientOcclusionPass::RenderOpaqueWithOcclusion(const vtkRende
 //------------------------------------------------------------------------------
 bool vtkScreenSpaceAmbientOcclusionPass::NeedsBuffers() const
 {
-  return this->OutputMode != Unoccluded && (this->OutputMode != Composite || this->Intensity > 0.0);
+  return !this->Stages->Failed && this->OutputMode != Unoccluded &&
+    (this->OutputMode != Composite || this->Intensity > 0.0);
 }
 
 //------------------------------------------------------------------------------
@@ -408,7 +450,7 @@ bool vtkScreenSpaceAmbientOcclusionPass::CaptureSurfaces(
       : glm::vec3(1.0F, this->Modulation == Ambient ? 0.0F : 1.0F, 0.0F);
   }
   stages.Capture->SetOccludableWeights(weights);
-  if (!stages.Capture->Capture(s, view))
+  if (!stages.Capture->CanCompile(view, false) || !stages.Capture->Capture(s, view))
   {
     return false;
   }
@@ -421,6 +463,28 @@ bool vtkScreenSpaceAmbientOcclusionPass::CaptureSurfaces(
   }
   this->TimeStage(CaptureStage, view);
   return stages.Geometry != nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkScreenSpaceAmbientOcclusionPass::FindVisibilityOfTile(const vtkSSAOView& tile)
+{
+  Pipeline& stages = *this->Stages;
+  const vtkSSAOOcclusionSettings settings = vtkSSAOOcclusionSettings::Of(this);
+  vtkSSAOTileMargin margin(tile, stages.EffectiveRadius, settings.Downsampling * this->NoiseSize);
+  const vtkSSAOView& view = margin.GetView();
+  const vtkRenderState* s = margin.GetState();
+  stages.Capture->SetOccludableWeights(glm::vec3(0.0F));
+  if (!view.IsValid() || !stages.Capture->CanCompile(view, false) ||
+    !stages.Capture->Capture(s, view))
+  {
+    return; // the visibility is found from the tile alone
+  }
+  stages.Geometry = stages.Capture->GetGeometry();
+  if (stages.Capture->HasSurfaces() && this->FindLayers(s, view) && this->ComputeOcclusion(view) &&
+    this->RemoveNoise(view))
+  {
+    stages.VisibilityOfTile = margin.CutTile(stages.Visibility);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -471,7 +535,8 @@ bool vtkScreenSpaceAmbientOcclusionPass::FindLayers(
   layers.Radius = settings.Radius;
   layers.Sheet = settings.Sheet;
   layers.SheetsOnly = settings.SheetsOnly;
-  const bool drawn = stages.Layers.Render(s, view, stages.Capture, layers, stages.Geometry);
+  const bool drawn = stages.Capture->CanCompile(view, true) &&
+    stages.Layers.Render(s, view, stages.Capture, layers, stages.Geometry);
   stages.Solids = drawn ? stages.Layers.GetSolids() : nullptr;
   stages.MoreSolids = drawn ? stages.Layers.GetMoreSolids() : nullptr;
   this->TimeStage(LayersStage, view);
@@ -556,11 +621,21 @@ void vtkScreenSpaceAmbientOcclusionPass::UpdateEffectiveRadius(vtkRenderer* rend
 //------------------------------------------------------------------------------
 void vtkScreenSpaceAmbientOcclusionPass::WarnOnce(const char* reason)
 {
-  if (!this->Stages->Warned)
+  if (!this->Stages->Warned && this->NeedsBuffers())
   {
     this->Stages->Warned = true;
     vtkWarningMacro("No ambient occlusion: " << reason << ". The scene is drawn without it.");
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkScreenSpaceAmbientOcclusionPass::Fail(const char* what)
+{
+  // Until the resources of the window are released: then it is tried again.
+  this->Stages->Failed = true;
+  this->Stages->Geometry = nullptr;
+  this->Stages->Visibility = nullptr;
+  vtkErrorMacro(<< what << " could not be built; the scene is drawn without occlusion.");
 }
 
 //------------------------------------------------------------------------------
