@@ -70,14 +70,15 @@ vtkSmartPointer<vtkTextureObject> vtkSSAOFullScreenStage::NewTexture(
 vtkShaderProgram* vtkSSAOFullScreenStage::UseProgram(
   vtkOpenGLRenderWindow* window, const std::string& fragmentShader)
 {
-  std::unique_ptr<vtkOpenGLQuadHelper>& quad = this->Quads[fragmentShader];
-  // The helper does not look whether it has got a program. VTK finds it again.
-  if (!quad &&
-    !window->GetShaderCache()->ReadyShaderProgram(
-      vtkSSAOPassFullScreenVS, fragmentShader.c_str(), ""))
+  // The helper does not look whether it has got a program, so it is only made if there is one; VTK
+  // finds it again.
+  vtkOpenGLShaderCache* cache = window->GetShaderCache();
+  if (this->Quads.count(fragmentShader) == 0 &&
+    !cache->ReadyShaderProgram(vtkSSAOPassFullScreenVS, fragmentShader.c_str(), ""))
   {
     return nullptr;
   }
+  std::unique_ptr<vtkOpenGLQuadHelper>& quad = this->Quads[fragmentShader];
   if (!quad)
   {
     quad.reset(
@@ -86,7 +87,7 @@ vtkShaderProgram* vtkSSAOFullScreenStage::UseProgram(
   }
   else
   {
-    window->GetShaderCache()->ReadyShaderProgram(quad->Program);
+    cache->ReadyShaderProgram(quad->Program);
   }
   this->Quad = quad.get();
   vtkShaderProgram* program = this->Quad->Program;
