@@ -67,6 +67,16 @@ int TestHarmlessRendererFlags(int, char*[])
     vtkSSAOAddFloorAndSpheres(stage.Renderer, 6, 0.45);
     CheckFlag(
       report, stage, "FXAA", [&](bool on) { stage.Renderer->SetUseFXAA(on); }, 200);
+    // VTK does not apply it to a picture without props.
+    {
+      Stage empty(report, 140, 110);
+      empty.Renderer->SetBackgroundTexture(MakeWavesTexture());
+      empty.Renderer->TexturedBackgroundOn();
+      empty.Renderer->UseFXAAOn();
+      const Picture background = empty.Draw(nullptr);
+      report.Same("FXAA without props", background, empty.Draw(vtkNew<AOPass>()), 0.0);
+      empty.Renderer->SetPass(nullptr);
+    }
     // Its options, too.
     stage.Renderer->UseFXAAOn();
     CheckFlag(

@@ -56,6 +56,7 @@ void AddGPUBall(Stage& stage, int mode, bool shade, double height)
   vtkNew<vtkGPUVolumeRayCastMapper> mapper;
   mapper->AutoAdjustSampleDistancesOff();
   mapper->UseJitteringOff();
+  mapper->SetSampleDistance(0.05F);
   mapper->SetBlendMode(mode);
   AddBall(stage, mapper, shade, height);
 }
@@ -91,6 +92,7 @@ int TestHarmlessVolumes(int, char*[])
       vtkNew<vtkGPUVolumeRayCastMapper> mapper;
       mapper->AutoAdjustSampleDistancesOff();
       mapper->UseJitteringOff();
+      mapper->SetSampleDistance(0.05F);
       mapper->SetImageSampleDistance(2.0F);
       mapper->SetBlendModeToAdditive();
       AddBall(stage, mapper, false, 0.3);

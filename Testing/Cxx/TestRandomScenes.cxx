@@ -122,7 +122,9 @@ void AddProps(vtkRenderer* renderer, Chance& chance, double scale)
     property->SetPointSize(static_cast<float>(chance.In(1.0, 9.0)));
     property->SetLineWidth(static_cast<float>(chance.In(1.0, 5.0)));
     property->SetRenderPointsAsSpheres(chance.Likely(0.2));
-    property->SetRenderLinesAsTubes(chance.Likely(0.2));
+    // VTK's own shader of tubes does not compile for surfaces that lack normals.
+    property->SetRenderLinesAsTubes(chance.Likely(0.2) &&
+      property->GetRepresentation() != VTK_SURFACE && !property->GetEdgeVisibility());
     property->SetBackfaceCulling(chance.Likely(0.1));
     actor->SetPosition(
       scale * chance.In(-1.0, 1.0), scale * chance.In(-1.0, 1.0), scale * chance.In(-1.0, 1.0));
@@ -254,9 +256,11 @@ int TestRandomScenes(int argc, char* argv[])
       renderer->SetViewport(0.5 * chance.Next(), 0.5 * chance.Next(), 0.6 + 0.4 * chance.Next(),
         0.6 + 0.4 * chance.Next());
     }
-    renderer->SetUseFXAA(chance.Likely(0.1));
-    renderer->SetUseDepthPeeling(stage->Window->GetMultiSamples() == 0 && chance.Likely(0.15));
-    renderer->SetPass(pass);
+    // Under multisampling both are errors of OpenGL in VTK, with or without the pass.
+    const bool onePerPixel = stage->Window->GetMultiSamples() == 0;
+    renderer->SetUseFXAA(chance.Likely(0.1) && onePerPixel);
+    renderer->SetUseDepthPeeling(chance.Likely(0.15) && onePerPixel);
+    renderer->SetPass(argc > 3 ? nullptr : pass.Get());
     const std::size_t messages = report.GetMessages().size();
     const std::string wrong = Draw(*stage, renderer, pass);
     if (!wrong.empty() || report.GetMessages().size() > messages)
