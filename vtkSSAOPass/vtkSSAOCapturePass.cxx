@@ -448,6 +448,7 @@ bool vtkSSAOCapturePass::Attach(const vtkSSAOView& view, unsigned int outputs)
   {
     captured.push_back(i);
   }
+  vtkSSAOFullScreenStage::ForgetDrawBuffers(view.Window, outputs);
   view.Framebuffer->ActivateDrawBuffers(captured.data(), static_cast<int>(captured.size()));
   const char* description = nullptr;
   if (!vtkOpenGLFramebufferObject::GetFrameBufferStatus(GL_DRAW_FRAMEBUFFER, description))
@@ -466,8 +467,7 @@ bool vtkSSAOCapturePass::Attach(const vtkSSAOView& view, unsigned int outputs)
 //------------------------------------------------------------------------------
 void vtkSSAOCapturePass::Detach(const vtkSSAOView& view, unsigned int outputs)
 {
-  // By way of none: VTK's cache does not notice that fewer buffers are asked for.
-  view.Framebuffer->DeactivateDrawBuffers();
+  vtkSSAOFullScreenStage::ForgetDrawBuffers(view.Window, outputs);
   view.Framebuffer->ActivateDrawBuffers(1);
   for (unsigned int i = 1; i < outputs; ++i)
   {

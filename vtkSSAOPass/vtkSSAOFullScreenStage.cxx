@@ -46,6 +46,13 @@ unsigned long vtkSSAOFullScreenStage::GetBytes(vtkTextureObject* texture)
 }
 
 //------------------------------------------------------------------------------
+void vtkSSAOFullScreenStage::ForgetDrawBuffers(vtkOpenGLRenderWindow* window, unsigned int count)
+{
+  std::vector<unsigned int> none(count, GL_NONE);
+  window->GetState()->vtkglDrawBuffers(count, none.data());
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkTextureObject> vtkSSAOFullScreenStage::NewTexture(
   vtkOpenGLRenderWindow* window, int width, int height, int components, int samples)
 {
@@ -152,8 +159,6 @@ bool vtkSSAOFullScreenStage::DrawToTextures(const vtkSSAOView& view, int compone
   {
     this->Framebuffer->AddColorAttachment(i, *textures[i]);
   }
-  // By way of none: VTK's cache does not notice that fewer buffers are asked for.
-  this->Framebuffer->DeactivateDrawBuffers();
   this->Framebuffer->ActivateDrawBuffers(count);
   const char* description = nullptr;
   const bool complete =
@@ -168,6 +173,7 @@ bool vtkSSAOFullScreenStage::DrawToTextures(const vtkSSAOView& view, int compone
   {
     this->Framebuffer->RemoveColorAttachment(i);
   }
+  ForgetDrawBuffers(view.Window, count);
   state->PopFramebufferBindings();
   return complete;
 }

@@ -103,6 +103,18 @@ int TestHarmlessTranslucent(int, char*[])
   CheckGlass(report, "order-independent", nothing, 0);
   CheckGlass(report, "depth peeling", peeling, 0);
   CheckGlass(report, "order-independent, 4 samples", nothing, 4);
+  HarmlessOptions alone;
+  alone.Floor = false;
+  CheckHarmless(
+    report, "glass alone",
+    [](Stage& stage)
+    {
+      vtkSmartPointer<vtkActor> glass = MakeActor(MakeSphere(0.7));
+      glass->GetProperty()->SetOpacity(0.5);
+      stage.Renderer->AddActor(glass);
+      stage.Renderer->ResetCamera();
+    },
+    alone);
   for (const bool peeled : { false, true })
   {
     for (const int samples : { 0, 4 })
