@@ -12,7 +12,10 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLFramebufferObject.h"
+#include "vtkOpenGLHelper.h"
+#include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
@@ -32,6 +35,7 @@
 #include "vtkSSAOPass1CaptureLightFS.h"
 #include "vtkSSAOPass1CaptureOutputFS.h"
 #include "vtkSSAOPass1LayerOutputFS.h"
+#include "vtkSSAOPassFullScreenVS.h"
 #include "vtkSSAOView.h"
 #include "vtkShaderProgram.h"
 #include "vtkShaderProperty.h"
@@ -148,6 +152,32 @@ bool StaysWithinBounds(vtkActor* actor)
 }
 
 //------------------------------------------------------------------------------
+// What a mapper draws at the moment: it has one shader for each kind of primitive. This and the
+// kinds are protected.
+class PrimitiveOf : public vtkOpenGLPolyDataMapper
+{
+public:
+  static bool IsFace(vtkOpenGLPolyDataMapper* mapper)
+  {
+    const vtkOpenGLHelper* drawn = mapper->*(&PrimitiveOf::LastBoundBO);
+    return !drawn || drawn->PrimitiveType == PrimitiveTris ||
+      drawn->PrimitiveType == PrimitiveTriStrips;
+  }
+};
+
+//------------------------------------------------------------------------------
+bool DrawsFaces(vtkAbstractMapper* mapper)
+{
+  if (auto* drawing = vtkOpenGLPolyDataMapper::SafeDownCast(mapper))
+  {
+    return PrimitiveOf::IsFace(drawing);
+  }
+  vtkPolyDataMapper* polyDataMapper = vtkPolyDataMapper::SafeDownCast(mapper);
+  vtkPolyData* data = polyDataMapper ? polyDataMapper->GetInput() : nullptr;
+  return !data || data->GetNumberOfPolys() > 0 || data->GetNumberOfStrips() > 0;
+}
+
+//------------------------------------------------------------------------------
 bool Contains(const std::string& text, const char* part)
 {
   return text.find(part) != std::string::npos;
@@ -181,6 +211,31 @@ unsigned long vtkSSAOCapturePass::GetTextureMemory() const
   return vtkSSAOFullScreenStage::GetBytes(this->Geometry) +
     vtkSSAOFullScreenStage::GetBytes(this->Occludable) +
     vtkSSAOFullScreenStage::GetBytes(this->Lit);
+}
+
+//------------------------------------------------------------------------------
+bool vtkSSAOCapturePass::CanCompile(const vtkSSAOView& view, bool layers)
+{
+  if (!this->Compiles[layers])
+  {
+    // What the parts of the shaders expect of a mapper.
+    std::string source = "//VTK::System::Dec\n//VTK::Output::Dec\nuniform vec4 mapper;\n";
+    source += layers ? "#define SSAO_LAYERS\n" : "";
+    source += "#define SSAO_LIT\n";
+    source += vtkSSAOPass1CaptureDeclarationsFS;
+    source += vtkSSAOPass0Functions;
+    source += "\nvoid main()\n{\n  vec4 vertexVC = mapper;\n"
+              "  vec3 normalVCVSOutput = mapper.xyz;\n  vec3 ambientColor = mapper.xyz;\n"
+              "  vec3 diffuse = mapper.xyz;\n  gl_FragData[0] = mapper;\n";
+    source += layers ? "" : vtkSSAOPass1CaptureFacetFS;
+    source += vtkSSAOPass1CaptureLayerFS;
+    source += vtkSSAOPass1CaptureLightFS;
+    source += layers ? vtkSSAOPass1LayerOutputFS : vtkSSAOPass1CaptureOutputFS;
+    source += "}\n";
+    this->Compiles[layers] = view.Window->GetShaderCache()->ReadyShaderProgram(
+                               vtkSSAOPassFullScreenVS, source.c_str(), "") != nullptr;
+  }
+  return this->Compiles[layers];
 }
 
 //------------------------------------------------------------------------------
@@ -410,6 +465,7 @@ bool vtkSSAOCapturePass::Attach(const vtkSSAOView& view, unsigned int outputs)
   {
     captured.push_back(i);
   }
+  vtkSSAOFullScreenStage::ForgetDrawBuffers(view.Window, outputs);
   view.Framebuffer->ActivateDrawBuffers(captured.data(), static_cast<int>(captured.size()));
   const char* description = nullptr;
   if (!vtkOpenGLFramebufferObject::GetFrameBufferStatus(GL_DRAW_FRAMEBUFFER, description))
@@ -428,8 +484,7 @@ bool vtkSSAOCapturePass::Attach(const vtkSSAOView& view, unsigned int outputs)
 //------------------------------------------------------------------------------
 void vtkSSAOCapturePass::Detach(const vtkSSAOView& view, unsigned int outputs)
 {
-  // By way of none: VTK's cache does not notice that fewer buffers are asked for.
-  view.Framebuffer->DeactivateDrawBuffers();
+  vtkSSAOFullScreenStage::ForgetDrawBuffers(view.Window, outputs);
   view.Framebuffer->ActivateDrawBuffers(1);
   for (unsigned int i = 1; i < outputs; ++i)
   {
@@ -459,12 +514,9 @@ bool vtkSSAOCapturePass::PostReplaceShaderValues(std::string& vertexShader,
   const bool sprite = Contains(fragmentShader, "ZCalcS");
   // Sphere and stick impostors compute position and normal after derivatives could be taken.
   const bool impostor = sprite || Contains(fragmentShader, "radiusVCVSOutput");
-  // VTK lights lines and points too if they have normals.
-  vtkPolyDataMapper* polyDataMapper = vtkPolyDataMapper::SafeDownCast(mapper);
-  vtkPolyData* data = polyDataMapper ? polyDataMapper->GetInput() : nullptr;
-  const bool faces = !data || data->GetNumberOfPolys() > 0 || data->GetNumberOfStrips() > 0;
-  const bool surface =
-    impostor || (faces && (!actor || actor->GetProperty()->GetRepresentation() == VTK_SURFACE));
+  // VTK lights lines and points too if they have normals, also beside faces of the same data.
+  const bool surface = impostor ||
+    (DrawsFaces(mapper) && (!actor || actor->GetProperty()->GetRepresentation() == VTK_SURFACE));
   const bool pbr = Contains(fragmentShader, "  color += Lo;\n");
   const bool lit = surface && Contains(fragmentShader, "vec4 vertexVC") &&
     Contains(fragmentShader, "vec3 normalVCVSOutput") && Contains(fragmentShader, LightTag) &&
@@ -555,6 +607,7 @@ bool vtkSSAOCapturePass::SetShaderParameters(vtkShaderProgram* program,
 //------------------------------------------------------------------------------
 void vtkSSAOCapturePass::ReleaseGraphicsResources(vtkWindow* window)
 {
+  this->Compiles = {};
   for (auto* texture : { &this->Geometry, &this->Occludable, &this->Lit })
   {
     if (*texture)

@@ -30,6 +30,7 @@
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 
+#include <array>
 #include <vector>
 
 class vtkSSAOView;
@@ -52,6 +53,13 @@ public:
    * All 0: only geometry is captured.
    */
   void SetOccludableWeights(const glm::vec3& weights) { this->Weights = weights; }
+
+  /**
+   * Whether the driver takes what this pass adds to the shaders of mappers: VTK 9.1 does not
+   * survive a mapper whose shader fails. layers: the shaders of DrawLayers, otherwise those of
+   * Capture.
+   */
+  bool CanCompile(const vtkSSAOView& view, bool layers);
 
   /**
    * Draw the props that can be captured, and capture them. False if the textures could not be
@@ -141,6 +149,7 @@ private:
   void RenderProps(const vtkRenderState* s, std::vector<vtkProp*>& props);
 
   vtkRenderPass* OpaquePass = nullptr;
+  std::array<bool, 2> Compiles = {}; // known to, by CanCompile
   glm::vec3 Weights = glm::vec3(0.0F);
   glm::vec4 DepthOfWindow = glm::vec4(0.0F);
   float DepthOrigin = 0.0F;

@@ -46,6 +46,13 @@ unsigned long vtkSSAOFullScreenStage::GetBytes(vtkTextureObject* texture)
 }
 
 //------------------------------------------------------------------------------
+void vtkSSAOFullScreenStage::ForgetDrawBuffers(vtkOpenGLRenderWindow* window, unsigned int count)
+{
+  std::vector<unsigned int> none(count, GL_NONE);
+  window->GetState()->vtkglDrawBuffers(count, none.data());
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkTextureObject> vtkSSAOFullScreenStage::NewTexture(
   vtkOpenGLRenderWindow* window, int width, int height, int components, int samples)
 {
@@ -70,6 +77,14 @@ vtkSmartPointer<vtkTextureObject> vtkSSAOFullScreenStage::NewTexture(
 vtkShaderProgram* vtkSSAOFullScreenStage::UseProgram(
   vtkOpenGLRenderWindow* window, const std::string& fragmentShader)
 {
+  // The helper does not look whether it has got a program, so it is only made if there is one; VTK
+  // finds it again.
+  vtkOpenGLShaderCache* cache = window->GetShaderCache();
+  if (this->Quads.count(fragmentShader) == 0 &&
+    !cache->ReadyShaderProgram(vtkSSAOPassFullScreenVS, fragmentShader.c_str(), ""))
+  {
+    return nullptr;
+  }
   std::unique_ptr<vtkOpenGLQuadHelper>& quad = this->Quads[fragmentShader];
   if (!quad)
   {
@@ -79,7 +94,7 @@ vtkShaderProgram* vtkSSAOFullScreenStage::UseProgram(
   }
   else
   {
-    window->GetShaderCache()->ReadyShaderProgram(quad->Program);
+    cache->ReadyShaderProgram(quad->Program);
   }
   this->Quad = quad.get();
   vtkShaderProgram* program = this->Quad->Program;
@@ -144,8 +159,6 @@ bool vtkSSAOFullScreenStage::DrawToTextures(const vtkSSAOView& view, int compone
   {
     this->Framebuffer->AddColorAttachment(i, *textures[i]);
   }
-  // By way of none: VTK's cache does not notice that fewer buffers are asked for.
-  this->Framebuffer->DeactivateDrawBuffers();
   this->Framebuffer->ActivateDrawBuffers(count);
   const char* description = nullptr;
   const bool complete =
@@ -160,6 +173,7 @@ bool vtkSSAOFullScreenStage::DrawToTextures(const vtkSSAOView& view, int compone
   {
     this->Framebuffer->RemoveColorAttachment(i);
   }
+  ForgetDrawBuffers(view.Window, count);
   state->PopFramebufferBindings();
   return complete;
 }

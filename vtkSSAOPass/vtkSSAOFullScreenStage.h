@@ -57,6 +57,13 @@ public:
   static unsigned long GetBytes(vtkTextureObject* texture);
 
   /**
+   * Set so many draw buffers of the framebuffer that is bound to none. VTK's cache looks at the
+   * buffers that are asked for only, and keeps the others when another framebuffer is bound: what
+   * has used more than one must not leave them there, or the next one does not get its second.
+   */
+  static void ForgetDrawBuffers(vtkOpenGLRenderWindow* window, unsigned int count);
+
+  /**
    * A texture with the format's number of float components, 1, 2 or 4 with 32 bits each, nearest
    * filtered, not initialised. samples 0: one sample per pixel.
    */

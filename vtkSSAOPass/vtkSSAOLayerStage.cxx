@@ -9,6 +9,7 @@
 #include "vtkSSAOPass0Functions.h"
 #include "vtkSSAOPass0SliceFunctions.h"
 #include "vtkSSAOPass1SolidsFS.h"
+#include "vtkSSAOScopedBlendEquation.h"
 #include "vtkSSAOView.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
@@ -115,13 +116,13 @@ bool vtkSSAOLayerStage::DrawRound(const vtkRenderState* s, const vtkSSAOView& vi
     vtkOpenGLState::ScopedglScissor scissorSaver(state);
     state->vtkglViewport(view.Viewport.x, view.Viewport.y, view.Viewport.z, view.Viewport.w);
     state->vtkglScissor(view.Drawn.x, view.Drawn.y, view.Drawn.z, view.Drawn.w);
+    const vtkSSAOScopedBlendEquation blendEquationSaver(state);
     state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     state->vtkglClearColor(none, none, none, none);
     state->vtkglClear(GL_COLOR_BUFFER_BIT);
     state->vtkglEnable(GL_BLEND);
     state->vtkglBlendEquation(GL_MAX);
     capture->DrawLayers(s, view, before, round == 0, settings.Sheet, Reach(settings));
-    state->vtkglBlendEquation(GL_FUNC_ADD);
   }
   this->LayerFramebuffer->RemoveColorAttachment(0);
   state->PopFramebufferBindings();

@@ -6,6 +6,7 @@
 #include "vtkSSAOOpenGL.h"
 #include "vtkSSAOPass0Functions.h"
 #include "vtkSSAOPass4ModulateFS.h"
+#include "vtkSSAOScopedBlendEquation.h"
 #include "vtkSSAOView.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
@@ -47,6 +48,7 @@ bool vtkSSAOModulateStage::Render(const vtkSSAOView& view, const vtkSSAOStrength
   {
     vtkOpenGLState::ScopedglEnableDisable blendSaver(state, GL_BLEND);
     vtkOpenGLState::ScopedglBlendFuncSeparate blendFunctionSaver(state);
+    const vtkSSAOScopedBlendEquation blendEquationSaver(state);
     vtkOpenGLState::ScopedglColorMask colorMaskSaver(state);
     vtkOpenGLState::ScopedglDepthMask depthMaskSaver(state);
     state->vtkglEnable(GL_BLEND);
@@ -55,7 +57,6 @@ bool vtkSSAOModulateStage::Render(const vtkSSAOView& view, const vtkSSAOStrength
     state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     state->vtkglDepthMask(GL_FALSE);
     this->Draw(view);
-    state->vtkglBlendEquationSeparate(GL_FUNC_ADD, GL_FUNC_ADD);
   }
   if (lit)
   {

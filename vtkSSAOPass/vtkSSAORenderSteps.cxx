@@ -7,6 +7,8 @@
 #include "vtkOpenGLRenderer.h"
 #include "vtkProp.h"
 #include "vtkRenderState.h"
+#include "vtkShadowMapBakerPass.h"
+#include "vtkShadowMapPass.h"
 
 #include <algorithm>
 
@@ -29,14 +31,20 @@ void vtkSSAORenderSteps::PrintSelf(ostream& os, vtkIndent indent)
 void vtkSSAORenderSteps::Render(const vtkRenderState* s)
 {
   this->NumberOfRenderedProps = 0;
+  if (s->GetPropArrayCount() == 0)
+  {
+    return; // as VTK does, so that FXAA leaves a background alone
+  }
   auto* renderer = vtkOpenGLRenderer::SafeDownCast(s->GetRenderer());
   vtkProp** props = s->GetPropArray();
   vtkProp** end = props + s->GetPropArrayCount();
 
   this->RenderOpaque(s);
 
-  const bool translucent = std::any_of(
-    props, end, [](vtkProp* prop) { return prop->HasTranslucentPolygonalGeometry() != 0; });
+  // VTK draws no translucent props if there are shadows.
+  const bool translucent = !renderer->GetUseShadows() &&
+    std::any_of(
+      props, end, [](vtkProp* prop) { return prop->HasTranslucentPolygonalGeometry() != 0; });
   if (translucent && s->GetFrameBuffer() && !renderer->GetUseDepthPeeling())
   {
     // VTK's order-independent translucency suits the renderer's own framebuffer only.
@@ -68,12 +76,33 @@ void vtkSSAORenderSteps::Render(const vtkRenderState* s)
 }
 
 //------------------------------------------------------------------------------
+const char* vtkSSAORenderSteps::WhyOtherPass(const vtkRenderState* s)
+{
+  vtkRenderer* renderer = s->GetRenderer();
+  if (renderer->GetUseShadows())
+  {
+    return "the renderer has shadows, which VTK draws by a pass of its own";
+  }
+  if (renderer->GetUseHiddenLineRemoval() &&
+    vtkHiddenLineRemovalPass::WireframePropsExist(s->GetPropArray(), s->GetPropArrayCount()))
+  {
+    return "hidden lines are removed, which VTK does by a pass of its own";
+  }
+  return nullptr;
+}
+
+//------------------------------------------------------------------------------
 void vtkSSAORenderSteps::RenderOpaque(const vtkRenderState* s)
 {
   vtkRenderer* renderer = s->GetRenderer();
-  // Hidden lines are removed by a pass of VTK's that draws all opaque props in its own order.
-  if (renderer->GetUseHiddenLineRemoval() &&
-    vtkHiddenLineRemovalPass::WireframePropsExist(s->GetPropArray(), s->GetPropArrayCount()))
+  if (renderer->GetUseShadows())
+  {
+    this->ShadowMapPass->GetShadowMapBakerPass()->Render(s);
+    this->ShadowMapPass->Render(s);
+    this->NumberOfRenderedProps += this->ShadowMapPass->GetNumberOfRenderedProps();
+    return;
+  }
+  if (WhyOtherPass(s))
   {
     renderer->DeviceRenderOpaqueGeometry(s->GetFrameBuffer());
     return;
@@ -93,7 +122,9 @@ void vtkSSAORenderSteps::RenderFXAA(vtkOpenGLRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
-void vtkSSAORenderSteps::ReleaseGraphicsResources(vtkWindow* /*window*/)
+void vtkSSAORenderSteps::ReleaseGraphicsResources(vtkWindow* window)
 {
+  this->ShadowMapPass->ReleaseGraphicsResources(window);
+  this->ShadowMapPass->GetShadowMapBakerPass()->ReleaseGraphicsResources(window);
   this->FXAAFilter->ReleaseGraphicsResources();
 }

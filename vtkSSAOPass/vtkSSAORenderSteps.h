@@ -16,6 +16,7 @@
 
 class vtkOpenGLFXAAFilter;
 class vtkOpenGLRenderer;
+class vtkShadowMapPass;
 
 class vtkSSAORenderSteps : public vtkRenderPass
 {
@@ -28,6 +29,11 @@ public:
    * The pass that draws the opaque props, not owned; set while it is in use.
    */
   void SetOpaquePass(vtkRenderPass* pass) { this->OpaquePass = pass; }
+
+  /**
+   * Why the opaque props are drawn by another pass than the one that was set, in words, or nullptr.
+   */
+  static const char* WhyOtherPass(const vtkRenderState* s);
 
   void Render(const vtkRenderState* s) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
@@ -45,6 +51,7 @@ private:
 
   vtkRenderPass* OpaquePass = nullptr;
   vtkNew<vtkOpenGLFXAAFilter> FXAAFilter;
+  vtkNew<vtkShadowMapPass> ShadowMapPass; // for a renderer with shadows
 };
 
 #endif

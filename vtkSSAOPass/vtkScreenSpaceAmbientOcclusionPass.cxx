@@ -27,8 +27,10 @@
 #include "vtkSSAORenderSteps.h"
 #include "vtkSSAOResolveStage.h"
 #include "vtkSSAOShaderFunctions.h"
+#include "vtkSSAOTileMargin.h"
 #include "vtkSSAOView.h"
 #include "vtkTextureObject.h"
+#include "vtkViewport.h"
 #include "vtkWeakPointer.h"
 #include "vtkWindow.h"
 
@@ -67,6 +69,17 @@ private:
 vtkStandardNewMacro(vtkSSAOOpaqueStep);
 
 //------------------------------------------------------------------------------
+// The props that a picker was told to choose from; nullptr for all. VTK has no method for it.
+class PickListOf : public vtkViewport
+{
+public:
+  static vtkPropCollection* Get(vtkViewport* viewport)
+  {
+    return viewport->*(&PickListOf::PickFromProps);
+  }
+};
+
+//------------------------------------------------------------------------------
 // Draws what a hardware selector asks for in place of the scene.
 class vtkSSAOSelectionStep : public vtkRenderPass
 {
@@ -76,8 +89,22 @@ public:
   void Render(const vtkRenderState* s) override
   {
     vtkRenderer* renderer = s->GetRenderer();
+    std::vector<vtkProp*> props(s->GetPropArray(), s->GetPropArray() + s->GetPropArrayCount());
+    if (vtkPropCollection* pickList = PickListOf::Get(renderer))
+    {
+      props.clear();
+      vtkCollectionSimpleIterator it;
+      pickList->InitTraversal(it);
+      while (vtkProp* prop = pickList->GetNextProp(it))
+      {
+        if (prop->GetVisibility())
+        {
+          props.push_back(prop);
+        }
+      }
+    }
     this->NumberOfRenderedProps =
-      renderer->GetSelector()->Render(renderer, s->GetPropArray(), s->GetPropArrayCount());
+      renderer->GetSelector()->Render(renderer, props.data(), static_cast<int>(props.size()));
   }
 
 protected:
@@ -150,7 +177,8 @@ std::vector<float> Download(vtkTextureObject* texture, const glm::ivec4& viewpor
 }
 
 //------------------------------------------------------------------------------
-// A depth as the textures hold it, counted from the camera on. 0 and no end stay, and so does a sign.
+// A depth as the textures hold it, counted from the camera on. 0 and no end stay, and so does a
+// sign.
 float FromCamera(float depth, double origin)
 {
   const bool isPlace = depth != 0.0F && std::abs(depth) < 1.0e29F;
@@ -229,7 +257,9 @@ public:
   bool Reused = false;                    ///< whether this frame's visibility is the last one's
   std::vector<double> Frame;              ///< what the last visibility depends on
   vtkSmartPointer<vtkTextureObject> LastVisibility;
+  vtkSmartPointer<vtkTextureObject> VisibilityOfTile; ///< of this frame, if it is a tile
   bool Warned = false;
+  bool Failed = false;              ///< whether something could not be built for the window
   vtkWeakPointer<vtkWindow> Window; ///< whose context the textures and programs belong to
   std::array<double, NumberOfStages> Times{};
   std::chrono::steady_clock::time_point StageStart;
@@ -257,7 +287,9 @@ public:
     this->Visibility = nullptr;
     this->HasSolids = false;
     this->Frame.clear();
+    this->VisibilityOfTile = nullptr;
     this->LastVisibility = nullptr;
+    this->Failed = false;
   }
 };
 
@@ -279,6 +311,7 @@ void vtkScreenSpaceAmbientOcclusionPass::Render(const vtkRenderState* s)
   stages.Geometry = nullptr;
   stages.Visibility = nullptr;
   stages.HasSolids = false;
+  stages.VisibilityOfTile = nullptr;
   stages.Reused = false;
   stages.Times.fill(0.0);
   this->FollowWindow(s->GetRenderer()->GetVTKWindow());
@@ -320,6 +353,10 @@ void vtkScreenSpaceAmbientOcclusionPass::RenderScene(const vtkRenderState* s)
     stages.Camera->SetDelegatePass(stages.Steps);
     stages.Capture->SetOpaquePass(stages.Opaque);
     root = stages.Camera;
+    if (const char* reason = vtkSSAORenderSteps::WhyOtherPass(s))
+    {
+      this->WarnOnce(reason);
+    }
   }
   else
   {
@@ -363,12 +400,18 @@ int vtkScreenSpaceAmbientOcclusionPass::RenderOpaqueWithOcclusion(const vtkRende
   }
 
   stages.StageStart = std::chrono::steady_clock::now();
+  if (vtkSSAOTileMargin::IsNeeded(view))
+  {
+    this->FindVisibilityOfTile(view);
+  }
   if (!this->CaptureSurfaces(s, view))
   {
-    vtkErrorMacro("The capture framebuffer is incomplete; the scene is drawn without occlusion.");
+    this->Fail("A shader or framebuffer of the capture");
     stages.Capture->Render(s);
     return stages.Capture->GetNumberOfRenderedProps();
   }
+  const bool known = stages.VisibilityOfTile != nullptr;
+  stages.Visibility = stages.VisibilityOfTile;
   if (this->Denoiser == None || this->Denoiser == EdgeAware)
   {
     // The others average over the background.
@@ -377,14 +420,13 @@ int vtkScreenSpaceAmbientOcclusionPass::RenderOpaqueWithOcclusion(const vtkRende
   stages.Estimated = view.Coarse(vtkSSAOOcclusionSettings::Of(this).Downsampling).Drawn;
   const bool nothingToShade = this->OutputMode == Composite && !stages.Capture->HasSurfaces();
   const bool shaded = nothingToShade ||
-    ((this->ReuseVisibility(view) ||
+    ((known || this->ReuseVisibility(view) ||
        (this->FindLayers(s, view) && this->ComputeOcclusion(view) && this->RemoveNoise(view) &&
          this->RefineEdges(view) && this->KeepVisibility())) &&
       this->ModulateLight(view));
   if (!shaded)
   {
-    vtkErrorMacro("A shader or framebuffer of the occlusion could not be built; the scene is drawn "
-                  "without occlusion.");
+    this->Fail("A shader or framebuffer of the occlusion");
   }
   stages.Capture->RenderRemainder(s);
   return stages.Capture->GetNumberOfRenderedProps();
@@ -393,7 +435,8 @@ int vtkScreenSpaceAmbientOcclusionPass::RenderOpaqueWithOcclusion(const vtkRende
 //------------------------------------------------------------------------------
 bool vtkScreenSpaceAmbientOcclusionPass::NeedsBuffers() const
 {
-  return this->OutputMode != Unoccluded && (this->OutputMode != Composite || this->Intensity > 0.0);
+  return !this->Stages->Failed && this->OutputMode != Unoccluded &&
+    (this->OutputMode != Composite || this->Intensity > 0.0);
 }
 
 //------------------------------------------------------------------------------
@@ -409,7 +452,7 @@ bool vtkScreenSpaceAmbientOcclusionPass::CaptureSurfaces(
       : glm::vec3(1.0F, this->Modulation == Ambient ? 0.0F : 1.0F, 0.0F);
   }
   stages.Capture->SetOccludableWeights(weights);
-  if (!stages.Capture->Capture(s, view))
+  if (!stages.Capture->CanCompile(view, false) || !stages.Capture->Capture(s, view))
   {
     return false;
   }
@@ -423,6 +466,28 @@ bool vtkScreenSpaceAmbientOcclusionPass::CaptureSurfaces(
   }
   this->TimeStage(CaptureStage, view);
   return stages.Geometry != nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkScreenSpaceAmbientOcclusionPass::FindVisibilityOfTile(const vtkSSAOView& tile)
+{
+  Pipeline& stages = *this->Stages;
+  const vtkSSAOOcclusionSettings settings = vtkSSAOOcclusionSettings::Of(this);
+  vtkSSAOTileMargin margin(tile, stages.EffectiveRadius, settings.Downsampling * this->NoiseSize);
+  const vtkSSAOView& view = margin.GetView();
+  const vtkRenderState* s = margin.GetState();
+  stages.Capture->SetOccludableWeights(glm::vec3(0.0F));
+  if (!view.IsValid() || !stages.Capture->CanCompile(view, false) ||
+    !stages.Capture->Capture(s, view))
+  {
+    return; // the visibility is found from the tile alone
+  }
+  stages.Geometry = stages.Capture->GetGeometry();
+  if (stages.Capture->HasSurfaces() && this->FindLayers(s, view) && this->ComputeOcclusion(view) &&
+    this->RemoveNoise(view) && this->RefineEdges(view))
+  {
+    stages.VisibilityOfTile = margin.CutTile(stages.Visibility);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -471,7 +536,8 @@ bool vtkScreenSpaceAmbientOcclusionPass::FindLayers(
   layers.Radius = settings.Radius;
   layers.Sheet = settings.Sheet;
   layers.SheetsOnly = settings.SheetsOnly;
-  stages.HasSolids = stages.Layers.Render(s, view, stages.Capture, layers, stages.Geometry);
+  stages.HasSolids = stages.Capture->CanCompile(view, true) &&
+    stages.Layers.Render(s, view, stages.Capture, layers, stages.Geometry);
   this->TimeStage(LayersStage, view);
   return stages.HasSolids;
 }
@@ -572,11 +638,21 @@ void vtkScreenSpaceAmbientOcclusionPass::UpdateEffectiveRadius(vtkRenderer* rend
 //------------------------------------------------------------------------------
 void vtkScreenSpaceAmbientOcclusionPass::WarnOnce(const char* reason)
 {
-  if (!this->Stages->Warned)
+  if (!this->Stages->Warned && this->NeedsBuffers())
   {
     this->Stages->Warned = true;
     vtkWarningMacro("No ambient occlusion: " << reason << ". The scene is drawn without it.");
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkScreenSpaceAmbientOcclusionPass::Fail(const char* what)
+{
+  // Until the resources of the window are released: then it is tried again.
+  this->Stages->Failed = true;
+  this->Stages->Geometry = nullptr;
+  this->Stages->Visibility = nullptr;
+  vtkErrorMacro(<< what << " could not be built; the scene is drawn without occlusion.");
 }
 
 //------------------------------------------------------------------------------

@@ -580,6 +580,7 @@ private:
   void RenderScene(const vtkRenderState* s);
   int RenderOpaqueWithOcclusion(const vtkRenderState* s);
   bool CaptureSurfaces(const vtkRenderState* s, const vtkSSAOView& view);
+  void FindVisibilityOfTile(const vtkSSAOView& tile);
   bool ReuseVisibility(const vtkSSAOView& view);
   bool KeepVisibility();
   bool FindLayers(const vtkRenderState* s, const vtkSSAOView& view);
@@ -592,6 +593,7 @@ private:
   bool NeedsBuffers() const;
   void UpdateEffectiveRadius(vtkRenderer* renderer);
   void WarnOnce(const char* reason);
+  void Fail(const char* what);
   void TimeStage(int stage, const vtkSSAOView& view);
   void SetQuality(int estimator, int directions, int steps, int noiseSize, bool refinement);
   template <typename Value>

@@ -5,6 +5,8 @@
 #include "vtkSSAOTestEverything.h"
 
 #include "vtkCameraPass.h"
+#include "vtkDefaultPass.h"
+#include "vtkDepthOfFieldPass.h"
 #include "vtkEDLShading.h"
 #include "vtkGaussianBlurPass.h"
 #include "vtkLightsPass.h"
@@ -13,6 +15,8 @@
 #include "vtkOverlayPass.h"
 #include "vtkSSAAPass.h"
 #include "vtkSequencePass.h"
+#include "vtkShadowMapBakerPass.h"
+#include "vtkShadowMapPass.h"
 #include "vtkToneMappingPass.h"
 #include "vtkTranslucentPass.h"
 #include "vtkVolumetricPass.h"
@@ -172,6 +176,10 @@ void CheckIdentity(Report& report, Extras extras)
     Over<vtkEDLShading>(open(Make<vtkRenderStepsPass>())));
   check("EDL under", Over<vtkEDLShading>(Make<vtkRenderStepsPass>()),
     open(Over<vtkEDLShading>(Make<vtkRenderStepsPass>())));
+  check("depth of field over", Over<vtkDepthOfFieldPass>(Make<vtkRenderStepsPass>()),
+    Over<vtkDepthOfFieldPass>(open(nullptr)));
+  check("depth of field under", Over<vtkDepthOfFieldPass>(Make<vtkRenderStepsPass>()),
+    open(Over<vtkDepthOfFieldPass>(Make<vtkRenderStepsPass>())));
   check("tone mapping over, no delegate", Over<vtkToneMappingPass>(Make<vtkRenderStepsPass>()),
     Over<vtkToneMappingPass>(open(nullptr)));
 }
@@ -278,6 +286,7 @@ void CheckNoOpaquePass(Report& report)
   BuildScene(stage, Glass);
   const auto steps = Make<vtkRenderStepsPass>();
   steps->SetOpaquePass(nullptr);
+  const auto shadows = Make<vtkShadowMapPass>();
   const std::vector<std::pair<const char*, PassPointer>> delegates = {
     { "no opaque pass in the sequence",
       Over<vtkCameraPass>(
@@ -285,6 +294,9 @@ void CheckNoOpaquePass(Report& report)
     { "an empty sequence", Over<vtkCameraPass>(Sequence({})) },
     { "render steps without opaque pass", steps },
     { "a camera without delegate", Over<vtkCameraPass>(Make<vtkLightsPass>()) },
+    { "a default pass, which draws everything by itself",
+      Over<vtkCameraPass>(Sequence({ Make<vtkLightsPass>(), Make<vtkDefaultPass>() })) },
+    { "shadow maps", Over<vtkCameraPass>(Sequence({ shadows->GetShadowMapBakerPass(), shadows })) },
   };
   for (const auto& delegate : delegates)
   {

@@ -3,6 +3,7 @@
 // Picking and the depth buffer give the same with the pass as without.
 
 #include "vtkSSAOTestEverything.h"
+#include "vtkSSAOTestHarmless.h"
 
 #include "vtkHardwareSelector.h"
 #include "vtkInformation.h"
@@ -50,10 +51,10 @@ std::string Select(Stage& stage, int association)
 
 //------------------------------------------------------------------------------
 // Number of the prop at a pixel and where it was hit.
-std::string Pick(Stage& stage, int x, int y)
+std::string Pick(Stage& stage, int x, int y, vtkPropCollection* among = nullptr)
 {
   vtkNew<vtkPropPicker> picker;
-  picker->Pick(x, y, 0.0, stage.Renderer);
+  among ? picker->PickProp(x, y, stage.Renderer, among) : picker->Pick(x, y, 0.0, stage.Renderer);
   const double* at = picker->GetPickPosition();
   return std::to_string(stage.Renderer->GetViewProps()->IsItemPresent(picker->GetViewProp())) +
     " at " + std::to_string(at[0]) + " " + std::to_string(at[1]) + " " + std::to_string(at[2]);
@@ -92,11 +93,23 @@ int TestHarmlessPicking(int, char*[])
   const std::pair<const char*, vtkRenderPass*> passes[] = { { "no delegate", own },
     { "render steps", over } };
 
+  // Only some of the props, of which one lies behind others.
+  vtkNew<vtkPropCollection> some;
+  vtkSmartPointer<vtkActor> behind = MakeActor(MakeSphere(1.5, 12));
+  behind->SetPosition(1.5, 1.0, -2.0);
+  stage.Renderer->AddActor(behind);
+  some->AddItem(behind);
+  some->AddItem(stage.Renderer->GetViewProps()->GetLastProp());
   stage.Draw(nullptr);
   const std::string cells = Select(stage, vtkDataObject::FIELD_ASSOCIATION_CELLS);
   const std::string points = Select(stage, vtkDataObject::FIELD_ASSOCIATION_POINTS);
   report.ExpectAtLeast(static_cast<double>(std::count(cells.begin(), cells.end(), '\n')), 6,
     "props selected by cells");
+  std::vector<std::string> pickedAmong;
+  for (int i = 0; i < 15; ++i)
+  {
+    pickedAmong.push_back(Pick(stage, 10 * i, 7 * i, some));
+  }
   std::vector<std::string> picked;
   for (int i = 0; i < 15; ++i)
   {
@@ -117,11 +130,25 @@ int TestHarmlessPicking(int, char*[])
       name + ", the same points are selected");
     for (int i = 0; i < 15; ++i)
     {
+      report.Equal(name + ", pick among some " + std::to_string(i), pickedAmong[i],
+        Pick(stage, 10 * i, 7 * i, some));
+      // Last, because VTK goes on choosing from the list otherwise.
       report.Equal(name + ", pick " + std::to_string(i), picked[i], Pick(stage, 10 * i, 7 * i));
     }
     report.Same(name + ", the picture after picking", before, stage.Draw(pass.second), 0.0);
     report.Expect(depth == ReadDepth(stage, pass.second), name + ", the depth buffer is the same");
   }
+  report.SetListening(false);
+  vtkSmartPointer<vtkSSAOPass> vtks = MakeVTKPass();
+  stage.Draw(vtks);
+  const std::string vtksCells = Select(stage, vtkDataObject::FIELD_ASSOCIATION_CELLS);
+  stage.Renderer->SetPass(nullptr);
+  vtks->ReleaseGraphicsResources(stage.Window);
+  report.SetListening(true);
+  PrintRow("props selected by hardware, of " +
+      std::to_string(std::count(cells.begin(), cells.end(), '\n')),
+    "all", std::to_string(std::count(vtksCells.begin(), vtksCells.end(), '\n')));
+
   auto* occlusion = AOPass::SafeDownCast(passes[0].second);
   occlusion->SetOutputModeToOcclusion();
   report.Expect(depth == ReadDepth(stage, occlusion), "Occlusion, the depth buffer is the same");

@@ -1,35 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Without a delegate the pass honours the flags of the renderer: FXAA, hidden line removal, depth
-// peeling of surfaces and volumes.
+// Without a delegate the pass honours the flags of the renderer: FXAA, hidden line removal,
+// shadows, depth peeling of surfaces and volumes. Where VTK draws the flag by a pass of its own
+// there is one warning and no occlusion.
 
 #include "vtkSSAOTestEverything.h"
+#include "vtkSSAOTestShapes.h"
 
 #include "vtkFXAAOptions.h"
 
 namespace
 {
 using namespace vtkSSAOTest;
-
-//------------------------------------------------------------------------------
-void BuildScene(Stage& stage)
-{
-  vtkNew<vtkPlaneSource> floor;
-  floor->SetOrigin(-1.0, -1.0, -0.4);
-  floor->SetPoint1(3.0, -1.0, -0.4);
-  floor->SetPoint2(-1.0, 3.0, -0.4);
-  floor->Update();
-  stage.Renderer->AddActor(MakeActor(floor->GetOutput()));
-  for (int i = 0; i < 6; ++i)
-  {
-    vtkSmartPointer<vtkActor> sphere = MakeActor(MakeSphere(0.45));
-    sphere->SetPosition(i % 3, i / 3, 0.0);
-    stage.Renderer->AddActor(sphere);
-  }
-  stage.Camera()->SetFocalPoint(1.0, 1.0, 0.0);
-  stage.Camera()->SetPosition(1.2, -1.0, 9.0);
-  stage.Camera()->SetClippingRange(4.0, 14.0);
-}
 
 //------------------------------------------------------------------------------
 // Three spheres of glass through each other, and peels enough for all their layers.
@@ -50,9 +32,10 @@ void AddGlass(Stage& stage)
 //------------------------------------------------------------------------------
 // The flag changes the picture, and with V 1 the pass gives the picture with the flag.
 void CheckFlag(Report& report, Stage& stage, const std::string& name,
-  const std::function<void(bool)>& set, int changed)
+  const std::function<void(bool)>& set, int changed, int warnings = 0)
 {
   vtkNew<AOPass> pass;
+  vtkSSAOErrorObserver observer(pass);
   ForceVisibility(pass, 1.0);
   const Picture off = stage.Draw(nullptr);
   set(true);
@@ -60,6 +43,15 @@ void CheckFlag(Report& report, Stage& stage, const std::string& name,
   report.Differ(name + " has an effect", off, on, 0.02, changed);
   // The contract for V = 1.
   report.Same(name + " on", on, stage.Draw(pass), 1.0 * Step);
+  stage.Draw(pass);
+  report.Equal(name + ", warnings", warnings, observer.GetWarnings());
+  report.Equal(name + ", errors", 0, observer.GetErrors());
+  if (warnings > 0)
+  {
+    ForceVisibility(pass, 0.0);
+    report.Same(name + " on, V 0", on, stage.Draw(pass), 0.0);
+    ForceVisibility(pass, 1.0);
+  }
   set(false);
   report.Same(name + " off again", off, stage.Draw(pass), 1.0 * Step);
   pass->ReleaseGraphicsResources(stage.Window);
@@ -72,9 +64,19 @@ int TestHarmlessRendererFlags(int, char*[])
   Report report;
   {
     Stage stage(report, 140, 110);
-    BuildScene(stage);
+    vtkSSAOAddFloorAndSpheres(stage.Renderer, 6, 0.45);
     CheckFlag(
       report, stage, "FXAA", [&](bool on) { stage.Renderer->SetUseFXAA(on); }, 200);
+    // VTK does not apply it to a picture without props.
+    {
+      Stage empty(report, 140, 110);
+      empty.Renderer->SetBackgroundTexture(MakeWavesTexture());
+      empty.Renderer->TexturedBackgroundOn();
+      empty.Renderer->UseFXAAOn();
+      const Picture background = empty.Draw(nullptr);
+      report.Same("FXAA without props", background, empty.Draw(vtkNew<AOPass>()), 0.0);
+      empty.Renderer->SetPass(nullptr);
+    }
     // Its options, too.
     stage.Renderer->UseFXAAOn();
     CheckFlag(
@@ -94,18 +96,36 @@ int TestHarmlessRendererFlags(int, char*[])
   }
   {
     Stage stage(report, 140, 110);
-    BuildScene(stage);
+    vtkSSAOAddFloorAndSpheres(stage.Renderer, 6, 0.45);
     vtkSmartPointer<vtkActor> wires = MakeActor(MakeSphere(1.0, 12));
     wires->SetPosition(1.0, 1.0, 1.0);
     wires->GetProperty()->SetRepresentationToWireframe();
     stage.Renderer->AddActor(wires);
     CheckFlag(
       report, stage, "hidden line removal",
-      [&](bool on) { stage.Renderer->SetUseHiddenLineRemoval(on); }, 100);
+      [&](bool on) { stage.Renderer->SetUseHiddenLineRemoval(on); }, 100, 1);
+  }
+  for (const bool glass : { false, true })
+  {
+    Stage stage(report, 140, 110);
+    vtkSSAOAddFloorAndSpheres(stage.Renderer, 6, 0.45);
+    stage.Renderer->RemoveAllLights();
+    vtkNew<vtkLight> lamp;
+    lamp->SetLightTypeToSceneLight();
+    lamp->SetPosition(4.0, 4.0, 4.0);
+    lamp->SetFocalPoint(1.0, 1.0, 0.0);
+    stage.Renderer->AddLight(lamp);
+    if (glass)
+    {
+      AddGlass(stage);
+    }
+    CheckFlag(
+      report, stage, std::string("shadows") + (glass ? " and glass" : ""),
+      [&](bool on) { stage.Renderer->SetUseShadows(on); }, 100, 1);
   }
   {
     Stage stage(report, 140, 110);
-    BuildScene(stage);
+    vtkSSAOAddFloorAndSpheres(stage.Renderer, 6, 0.45);
     AddGlass(stage);
     CheckFlag(
       report, stage, "depth peeling", [&](bool on) { stage.Renderer->SetUseDepthPeeling(on); },
@@ -116,7 +136,7 @@ int TestHarmlessRendererFlags(int, char*[])
   for (int on = 0; on < 2; ++on)
   {
     Stage stage(report, 140, 110);
-    BuildScene(stage);
+    vtkSSAOAddFloorAndSpheres(stage.Renderer, 6, 0.45);
     AddGlass(stage);
     Grid grid(3);
     AddVolume(stage.Renderer, grid);

@@ -3,6 +3,7 @@
 // The pass leaves OpenGL as it found it, comes and goes without a trace, and keeps antialiasing.
 
 #include "vtkSSAOTestEverything.h"
+#include "vtkSSAOTestShapes.h"
 
 #include "vtkCameraPass.h"
 #include "vtkLightsPass.h"
@@ -53,10 +54,11 @@ public:
   vtkTypeMacro(StatePass, vtkImageProcessingPass);
   void Render(const vtkRenderState* s) override
   {
+    auto* window = vtkOpenGLRenderWindow::SafeDownCast(s->GetRenderer()->GetRenderWindow());
+    window->GetState()->vtkglBlendEquation(this->BlendEquation);
     this->DelegatePass->Render(s);
     using GetFunction = void (*)(GLenum, GLint*);
     const auto get = reinterpret_cast<GetFunction>(dlsym(RTLD_DEFAULT, "glGetIntegerv"));
-    auto* window = vtkOpenGLRenderWindow::SafeDownCast(s->GetRenderer()->GetRenderWindow());
     for (std::size_t i = 0; i < NumberOfValues; ++i)
     {
       this->After[i] = {};
@@ -66,7 +68,9 @@ public:
       static_cast<int>(window->GetRenderFramebuffer()->GetNumberOfColorAttachments());
     this->CachedBlend = window->GetState()->GetEnumState(GL_BLEND);
     this->CachedDepthTest = window->GetState()->GetEnumState(GL_DEPTH_TEST);
+    window->GetState()->vtkglBlendEquation(GL_FUNC_ADD);
   }
+  GLenum BlendEquation = GL_FUNC_ADD;
   State After = {};
   int Attachments = 0;
   int CachedBlend = 0;
@@ -82,34 +86,15 @@ private:
 };
 
 //------------------------------------------------------------------------------
-void AddSpheres(Stage& stage)
-{
-  vtkNew<vtkPlaneSource> floor;
-  floor->SetOrigin(-1.0, -1.0, -0.4);
-  floor->SetPoint1(3.0, -1.0, -0.4);
-  floor->SetPoint2(-1.0, 3.0, -0.4);
-  floor->Update();
-  stage.Renderer->AddActor(MakeActor(floor->GetOutput()));
-  for (int i = 0; i < 9; ++i)
-  {
-    vtkSmartPointer<vtkActor> sphere = MakeActor(MakeSphere(0.5));
-    sphere->SetPosition(i % 3, i / 3, 0.0);
-    stage.Renderer->AddActor(sphere);
-  }
-  stage.Camera()->SetFocalPoint(1.0, 1.0, 0.0);
-  stage.Camera()->SetPosition(1.2, -1.0, 9.0);
-  stage.Camera()->SetClippingRange(4.0, 14.0);
-}
-
-//------------------------------------------------------------------------------
-void CheckOpenGL(Report& report, int multiSamples)
+void CheckOpenGL(Report& report, int multiSamples, GLenum blendEquation)
 {
   Stage stage(report, 80, 60, multiSamples);
-  AddSpheres(stage);
+  vtkSSAOAddFloorAndSpheres(stage.Renderer, 9, 0.5);
   const auto draw = [&](vtkRenderPass* inner)
   {
     auto probe = vtkSmartPointer<StatePass>::New();
     probe->SetDelegatePass(inner);
+    probe->BlendEquation = blendEquation;
     vtkNew<vtkLightsPass> lights;
     vtkNew<vtkRenderPassCollection> passes;
     passes->AddItem(lights);
@@ -140,7 +125,8 @@ void CheckOpenGL(Report& report, int multiSamples)
     report.Equal(name + "VTK's idea of blending", actual->After[0][0], actual->CachedBlend);
     report.Equal(name + "VTK's idea of depth tests", actual->After[1][0], actual->CachedDepthTest);
   };
-  const std::string samples = std::to_string(multiSamples) + " samples, ";
+  const std::string samples = std::to_string(multiSamples) + " samples, blend equation " +
+    std::to_string(blendEquation) + ", ";
   vtkNew<vtkOpaquePass> opaque;
   const vtkSmartPointer<StatePass> plain = draw(opaque);
   report.Expect(plain->After[7][2] > 0, samples + "OpenGL tells its viewport");
@@ -162,7 +148,7 @@ void CheckOpenGL(Report& report, int multiSamples)
 void CheckToggling(Report& report)
 {
   Stage stage(report, 80, 60);
-  AddSpheres(stage);
+  vtkSSAOAddFloorAndSpheres(stage.Renderer, 9, 0.5);
   Grid grid(3);
   AddTranslucentProps(stage.Renderer, grid);
   vtkNew<AOPass> pass;
@@ -228,8 +214,9 @@ void CheckAntialiasing(Report& report)
 int TestHarmlessState(int, char*[])
 {
   Report report;
-  CheckOpenGL(report, 0);
-  CheckOpenGL(report, 4);
+  CheckOpenGL(report, 0, GL_FUNC_ADD);
+  CheckOpenGL(report, 4, GL_FUNC_ADD);
+  CheckOpenGL(report, 0, GL_MAX);
   CheckToggling(report);
   CheckAntialiasing(report);
   return report.GetResult();

@@ -20,32 +20,8 @@
 #include <algorithm>
 #include <string>
 
-#if defined(__unix__) && !defined(__APPLE__)
-#include <dlfcn.h>
-#endif
-
 namespace
 {
-//------------------------------------------------------------------------------
-// Number of objects of a kind ("Texture", "Framebuffer" ...) in the current context.
-int CountObjects(vtkRenderWindow* window, const std::string& kind)
-{
-  int count = 0;
-#if defined(__unix__) && !defined(__APPLE__)
-  window->MakeCurrent();
-  using Predicate = unsigned char (*)(unsigned int);
-  auto is = reinterpret_cast<Predicate>(dlsym(RTLD_DEFAULT, ("glIs" + kind).c_str()));
-  for (unsigned int name = 1; is && name < 5000; ++name)
-  {
-    count += is(name) ? 1 : 0;
-  }
-#else
-  (void)window;
-  (void)kind;
-#endif
-  return count;
-}
-
 //------------------------------------------------------------------------------
 int Difference(vtkImageData* a, vtkImageData* b)
 {
@@ -70,13 +46,14 @@ void TestRelease(vtkSSAOTestMonitor& test, int samples)
   const char* kinds[3] = { "Texture", "Framebuffer", "Renderbuffer" };
   for (int i = 0; i < 3; ++i)
   {
-    before[i] = CountObjects(view.Window, kinds[i]);
+    before[i] = vtkSSAOCountObjects(view.Window, kinds[i]);
   }
   view.Renderer->SetPass(view.Pass);
   vtkSmartPointer<vtkImageData> first = view.Picture();
   test.ExpectAtLeast(
     static_cast<double>(view.Pass->GetTextureMemory()), 80.0 * 60.0 * 4.0, "texture memory" + with);
-  test.ExpectAtLeast(CountObjects(view.Window, "Texture"), before[0] + 3, "textures in use" + with);
+  test.ExpectAtLeast(
+    vtkSSAOCountObjects(view.Window, "Texture"), before[0] + 3, "textures in use" + with);
   for (int round = 0; round < 3; ++round)
   {
     for (int denoiser : { 0, 1, 4 })
@@ -94,7 +71,7 @@ void TestRelease(vtkSSAOTestMonitor& test, int samples)
     test.Expect(!view.Pass->GetVisibility(image), "no visibility after release" + with);
     for (int i = 0; i < 3; ++i)
     {
-      test.ExpectEqual(CountObjects(view.Window, kinds[i]), before[i],
+      test.ExpectEqual(vtkSSAOCountObjects(view.Window, kinds[i]), before[i],
         std::string(kinds[i]) + "s after release" + with);
     }
     test.ExpectEqual(Difference(view.Picture(), first), 0, "picture after release" + with);
@@ -105,7 +82,7 @@ void TestRelease(vtkSSAOTestMonitor& test, int samples)
 
   // Frames do not pile up anything, whatever changes.
   view.Picture();
-  const int textures = CountObjects(view.Window, "Texture");
+  const int textures = vtkSSAOCountObjects(view.Window, "Texture");
   const int builds = view.Pass->GetNumberOfProgramBuilds();
   for (int i = 0; i < 5; ++i)
   {
@@ -117,7 +94,7 @@ void TestRelease(vtkSSAOTestMonitor& test, int samples)
     view.Picture();
   }
   test.ExpectEqual(
-    CountObjects(view.Window, "Texture"), textures, "textures after other sizes" + with);
+    vtkSSAOCountObjects(view.Window, "Texture"), textures, "textures after other sizes" + with);
   test.ExpectEqual(view.Pass->GetNumberOfProgramBuilds(), builds, "programs built" + with);
 
   // The window goes first, then comes again.

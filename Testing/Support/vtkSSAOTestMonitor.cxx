@@ -155,8 +155,11 @@ void vtkSSAOTestMonitor::Watch(vtkRenderWindow* window)
 //------------------------------------------------------------------------------
 void vtkSSAOTestMonitor::AddMessage(const std::string& message)
 {
-  std::cout << "MESSAGE " << message << std::endl;
-  this->Messages.push_back(message);
+  if (this->Listening)
+  {
+    std::cout << "MESSAGE " << message << std::endl;
+    this->Messages.push_back(message);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -167,6 +170,25 @@ int vtkSSAOTestMonitor::GetResult()
                                : std::string("All expectations were met"))
             << std::endl;
   return this->Failures ? EXIT_FAILURE : EXIT_SUCCESS;
+}
+
+//------------------------------------------------------------------------------
+int vtkSSAOCountObjects(vtkRenderWindow* window, const std::string& kind)
+{
+  int count = 0;
+#if defined(__unix__) && !defined(__APPLE__)
+  window->MakeCurrent();
+  using Predicate = unsigned char (*)(unsigned int);
+  auto is = reinterpret_cast<Predicate>(dlsym(RTLD_DEFAULT, ("glIs" + kind).c_str()));
+  for (unsigned int name = 1; is && name < 5000; ++name)
+  {
+    count += is(name) ? 1 : 0;
+  }
+#else
+  (void)window;
+  (void)kind;
+#endif
+  return count;
 }
 
 //------------------------------------------------------------------------------

@@ -52,6 +52,11 @@ public:
   void Forget() { this->Messages.clear(); }
 
   /**
+   * Whether messages count and are printed; off while something draws that is not under test.
+   */
+  void SetListening(bool listening) { this->Listening = listening; }
+
+  /**
    * For OpenGL and the output window only.
    */
   void AddMessage(const std::string& message);
@@ -66,7 +71,14 @@ private:
   vtkSmartPointer<vtkOutputWindow> Before;
   std::vector<std::string> Messages;
   int Failures = 0;
+  bool Listening = true;
 };
+
+/**
+ * Number of OpenGL objects of a kind ("Texture", "Framebuffer", "Program" ...) in the window's
+ * context; 0 where there is no way to ask.
+ */
+int vtkSSAOCountObjects(vtkRenderWindow* window, const std::string& kind);
 
 /**
  * Counts and silences the errors and warnings of one object.

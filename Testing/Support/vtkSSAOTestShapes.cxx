@@ -9,8 +9,11 @@
 #include "vtkNew.h"
 #include "vtkParametricFunctionSource.h"
 #include "vtkParametricTorus.h"
+#include "vtkPlaneSource.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkPolyDataAlgorithm.h"
+#include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkSSAOTestView.h"
@@ -130,4 +133,40 @@ void vtkSSAOLookAtStillLife(vtkSSAOTestView& view, bool parallel, double scale)
   {
     view.Look(from, at, { 0, 1, 0 });
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkSSAOAddFloorAndSpheres(
+  vtkRenderer* renderer, int spheres, double radius, vtkProperty* property)
+{
+  const auto add = [&](vtkPolyDataAlgorithm* source)
+  {
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputConnection(source->GetOutputPort());
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    if (property)
+    {
+      actor->SetProperty(property);
+    }
+    renderer->AddActor(actor);
+    return actor.Get();
+  };
+  vtkNew<vtkPlaneSource> floor;
+  floor->SetOrigin(-1.0, -1.0, -0.4);
+  floor->SetPoint1(3.0, -1.0, -0.4);
+  floor->SetPoint2(-1.0, 3.0, -0.4);
+  add(floor);
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(radius);
+  sphere->SetThetaResolution(24);
+  sphere->SetPhiResolution(24);
+  for (int i = 0; i < spheres; ++i)
+  {
+    add(sphere)->SetPosition(i % 3, i / 3, 0.0);
+  }
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->SetFocalPoint(1.0, 1.0, 0.0);
+  camera->SetPosition(1.2, -1.0, 9.0);
+  camera->SetClippingRange(4.0, 14.0);
 }

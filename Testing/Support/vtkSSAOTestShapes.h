@@ -11,6 +11,8 @@
 
 class vtkActor;
 class vtkPolyData;
+class vtkProperty;
+class vtkRenderer;
 class vtkSSAOTestView;
 
 /**
@@ -34,6 +36,13 @@ void vtkSSAOAddCorner(vtkSSAOTestView& view, double scale = 1.0);
  * Camera for the corner: 45 degrees above the floor, from a distance of 20.
  */
 void vtkSSAOLookAtCorner(vtkSSAOTestView& view, bool parallel, double scale = 1.0);
+
+/**
+ * A floor (z = -0.4) and up to 9 spheres about z = 0 that sink into it, all of one material if one is
+ * given, seen from above. Sets the camera. A good radius is .5.
+ */
+void vtkSSAOAddFloorAndSpheres(
+  vtkRenderer* renderer, int spheres, double radius, vtkProperty* property = nullptr);
 
 /**
  * A still life on a floor before a wall, about 4 wide: box, sphere and torus-like ring, coloured,

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+// 1,000 times on and off, 300 sizes one after another, a context that is lost again and again: the
+// picture stays, and so does the number of OpenGL's objects.
+
+#include "vtkSSAOTestScenes.h"
+#include "vtkSSAOTestShapes.h"
+
+namespace
+{
+using namespace vtkSSAOTest;
+
+const char* const Kinds[] = { "Texture", "Framebuffer", "Renderbuffer", "Program", "Shader",
+  "Buffer", "VertexArray" };
+
+//------------------------------------------------------------------------------
+std::vector<int> Count(Stage& stage)
+{
+  std::vector<int> counts;
+  for (const char* kind : Kinds)
+  {
+    counts.push_back(vtkSSAOCountObjects(stage.Window, kind));
+  }
+  return counts;
+}
+
+//------------------------------------------------------------------------------
+void ExpectSame(Report& report, const std::string& name, const std::vector<int>& before,
+  const std::vector<int>& after)
+{
+  for (std::size_t i = 0; i < before.size(); ++i)
+  {
+    report.Equal(name + ", objects of the kind " + Kinds[i], before[i], after[i]);
+  }
+}
+
+//------------------------------------------------------------------------------
+void CheckSwitches(Report& report)
+{
+  Stage stage(report, 32, 24);
+  vtkSSAOAddFloorAndSpheres(stage.Renderer, 3, 0.5);
+  vtkNew<AOPass> pass;
+  const Picture plain = stage.Draw(nullptr);
+  const Picture occluded = stage.Draw(pass);
+  stage.Draw(nullptr);
+  const std::vector<int> before = Count(stage);
+  const unsigned long bytes = pass->GetTextureMemory();
+  int changes = 0;
+  for (int i = 0; i < 1000; ++i)
+  {
+    const bool on = i % 2 == 0;
+    changes +=
+      stage.Draw(on ? pass.Get() : nullptr).Values == (on ? occluded : plain).Values ? 0 : 1;
+  }
+  report.Equal("1,000 switches, changed pictures", 0, changes);
+  report.Equal("1,000 switches, texture bytes", bytes, pass->GetTextureMemory());
+  ExpectSame(report, "1,000 switches", before, Count(stage));
+  // By the pass's own switches, and with a pass of its own each time.
+  for (int i = 0; i < 100; ++i)
+  {
+    pass->SetIntensity(i % 2);
+    pass->SetOutputMode(i % 5);
+    stage.Draw(pass);
+    vtkNew<AOPass> other;
+    stage.Draw(other);
+    stage.Renderer->SetPass(nullptr);
+    other->ReleaseGraphicsResources(stage.Window);
+  }
+  pass->SetIntensity(1.0);
+  pass->SetOutputModeToComposite();
+  stage.Draw(pass);
+  pass->ReleaseGraphicsResources(stage.Window);
+  const std::vector<int> released = Count(stage);
+  report.Expect(released[0] < before[0], "released: there are fewer textures than in use");
+  stage.Renderer->SetPass(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void CheckSizes(Report& report, int multiSamples)
+{
+  const std::string name = "300 sizes, " + std::to_string(multiSamples) + " samples";
+  Stage stage(report, 40, 30, multiSamples);
+  vtkSSAOAddFloorAndSpheres(stage.Renderer, 3, 0.5);
+  vtkNew<AOPass> pass;
+  const Picture first = stage.Draw(pass);
+  stage.Window->SetSize(50, 20);
+  stage.Draw(pass);
+  stage.Window->SetSize(40, 30);
+  stage.Draw(pass);
+  const std::vector<int> before = Count(stage);
+  const unsigned long bytes = pass->GetTextureMemory();
+  unsigned int state = 1;
+  for (int i = 0; i < 300; ++i)
+  {
+    state = state * 1103515245U + 12345U;
+    stage.Window->SetSize(1 + (state >> 16) % 90, 1 + (state >> 24) % 70);
+    stage.Draw(pass);
+  }
+  stage.Window->SetSize(40, 30);
+  report.Same(name, first, stage.Draw(pass), 0.0);
+  report.Equal(name + ", texture bytes", bytes, pass->GetTextureMemory());
+  ExpectSame(report, name, before, Count(stage));
+  stage.Renderer->SetPass(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void CheckLostContext(Report& report)
+{
+  Stage stage(report, 40, 30);
+  vtkSSAOAddFloorAndSpheres(stage.Renderer, 3, 0.5);
+  vtkNew<AOPass> pass;
+  const Picture first = stage.Draw(pass);
+  stage.Window->Finalize();
+  stage.Draw(pass);
+  const std::vector<int> before = Count(stage);
+  for (int i = 0; i < 10; ++i)
+  {
+    stage.Window->Finalize();
+    report.Same("after loss " + std::to_string(i), first, stage.Draw(pass), 0.0);
+  }
+  ExpectSame(report, "10 losses", before, Count(stage));
+  stage.Renderer->SetPass(nullptr);
+}
+}
+
+//------------------------------------------------------------------------------
+int TestChurn(int, char*[])
+{
+  Report report;
+  CheckSwitches(report);
+  CheckSizes(report, 0);
+  CheckSizes(report, 4);
+  CheckLostContext(report);
+  return report.GetResult();
+}
