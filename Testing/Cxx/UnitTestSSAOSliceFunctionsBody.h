@@ -361,7 +361,7 @@ inline void TestShareInside(vtkSSAOTestMonitor& test, const std::string& what)
   const auto share = [&](double x, double y, double reachX, double reachY)
   {
     return double(
-      ssaoShareInside(vec2(Scalar(x), Scalar(y)), vec2(Scalar(reachX), Scalar(reachY)), viewport));
+      ssaoShareInside(vec2(Scalar(x), Scalar(y)), vec2(Scalar(reachX), Scalar(reachY)), viewport, Scalar(1)));
   };
   test.ExpectEqual(share(60, 45, 20, -20), 1.0, what + "a trace inside the viewport");
   test.ExpectNear(share(60, 45, 100, 0), 0.5, Epsilon, what + "a trace across the right border");

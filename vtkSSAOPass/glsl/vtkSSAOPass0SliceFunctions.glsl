@@ -131,15 +131,16 @@ float ssaoSampleShare(float index, float count, float reachInPixels)
   return max(t * t, min(float(1.3) / reachInPixels, float(1.0)));
 }
 
-// Share of a trace that lies inside the viewport, 0 to 1; 0 if it leaves within the 1.3 pixels of the
-// nearest sample. pixel: inside the viewport; reach: pixels of the whole trace.
-float ssaoShareInside(vec2 pixel, vec2 reach, vec4 viewport)
+// Share of a trace that lies inside the viewport, 0 to 1; 0 if it leaves within the 1.3 texels of the
+// nearest sample. pixel: inside the viewport; reach: pixels of the whole trace; texel: edge of the
+// samples' texels in pixels.
+float ssaoShareInside(vec2 pixel, vec2 reach, vec4 viewport, float texel)
 {
   vec2 left = vec2(reach.x > float(0.0) ? viewport.x + viewport.z - pixel.x : pixel.x - viewport.x,
     reach.y > float(0.0) ? viewport.y + viewport.w - pixel.y : pixel.y - viewport.y);
   float share = min(left.x / max(abs(reach.x), float(1.0e-6)),
     left.y / max(abs(reach.y), float(1.0e-6)));
-  bool leaves = share < float(1.0) && share * length(reach) < float(1.3);
+  bool leaves = share < float(1.0) && share * length(reach) < float(1.3) * texel;
   return leaves ? float(0.0) : min(share, float(1.0));
 }
 

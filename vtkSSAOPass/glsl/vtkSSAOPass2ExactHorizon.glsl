@@ -53,8 +53,8 @@ float ssaoVisibility(vec2 pixel, vec4 center)
     turn = ssaoTurned(turn, sliceTurn);
     vec2 reach = ssaoTrace(slice, positionVC, rayToPixel, perspective) * radius;
     float reachInPixels = length(reach);
-    float shareAhead = ssaoShareInside(pixel, reach, viewport);
-    float shareBehind = ssaoShareInside(pixel, -reach, viewport);
+    float shareAhead = ssaoShareInside(pixel, reach, viewport, float(1.0));
+    float shareBehind = ssaoShareInside(pixel, -reach, viewport, float(1.0));
     float ahead = ssaoHorizonCosine(pixel, reach * shareAhead, reachInPixels * shareAhead, center.x,
       centerRay, facet, viewer, slice.lowestAhead, noise.y);
     float behind = ssaoHorizonCosine(pixel, -reach * shareBehind, reachInPixels * shareBehind,

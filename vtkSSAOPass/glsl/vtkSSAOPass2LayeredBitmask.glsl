@@ -79,10 +79,12 @@ SsaoSide ssaoSide(vec2 reach, float lowest, float normalCosine, float normalSine
   return side;
 }
 
-// Centre of the solids' texel that a pixel falls into.
+// Centre of the solids' texel that a pixel falls into, or of the last one before the viewport's end.
 vec2 ssaoSolidsTexelOf(vec2 pixel)
 {
-  return floor((pixel - vec2(solidsPlace.z, solidsPlace.w)) / vec2(solidsPlace.x, solidsPlace.y)) +
+  vec2 edge = vec2(solidsPlace.x, solidsPlace.y);
+  vec2 last = vec2(viewport.x + viewport.z, viewport.y + viewport.w) - edge * float(0.5);
+  return floor((min(pixel, last) - vec2(solidsPlace.z, solidsPlace.w)) / edge) +
     vec2(float(0.5), float(0.5));
 }
 
@@ -158,7 +160,7 @@ float ssaoVisibility(vec2 pixel, vec4 center)
   {
     SsaoSlice slice = ssaoSlice(across, up, viewer, normal, facet, turn);
     vec2 reach = ssaoTrace(slice, positionVC, rayToPixel, perspective) * radius;
-    float inside = ssaoShareInside(pixel, reach * sign, viewport);
+    float inside = ssaoShareInside(pixel, reach * sign, viewport, solidsPlace.x);
     float reachInPixels = length(reach) * inside / solidsPlace.x;
     SsaoSide side = ssaoSide(reach * (sign * inside),
       sign > float(0.0) ? slice.lowestAhead : slice.lowestBehind, slice.normalCosine,
