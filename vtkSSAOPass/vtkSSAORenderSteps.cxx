@@ -31,15 +31,15 @@ void vtkSSAORenderSteps::PrintSelf(ostream& os, vtkIndent indent)
 void vtkSSAORenderSteps::Render(const vtkRenderState* s)
 {
   this->NumberOfRenderedProps = 0;
-  if (s->GetPropArrayCount() == 0)
-  {
-    return; // as VTK does, so that FXAA leaves a background alone
-  }
   auto* renderer = vtkOpenGLRenderer::SafeDownCast(s->GetRenderer());
   vtkProp** props = s->GetPropArray();
   vtkProp** end = props + s->GetPropArrayCount();
 
   this->RenderOpaque(s);
+  if (props == end)
+  {
+    return; // as VTK does, so that FXAA leaves a background alone
+  }
 
   // VTK draws no translucent props if there are shadows.
   const bool translucent = !renderer->GetUseShadows() &&

@@ -2,6 +2,7 @@
 #include "vtkScreenSpaceAmbientOcclusionPass.h"
 
 #include "vtkBoundingBox.h"
+#include "vtkCamera.h"
 #include "vtkCameraPass.h"
 #include "vtkDataArray.h"
 #include "vtkHardwareSelector.h"
@@ -76,6 +77,22 @@ public:
   static vtkPropCollection* Get(vtkViewport* viewport)
   {
     return viewport->*(&PickListOf::PickFromProps);
+  }
+};
+
+//------------------------------------------------------------------------------
+// A camera learns whether the window is in stereo when it renders itself, which VTK's pass for
+// cameras does not have it do. VTK has no method for it.
+class StereoOf : public vtkCamera
+{
+public:
+  static void Set(vtkCamera* camera, int stereo)
+  {
+    if (camera->GetStereo() != stereo)
+    {
+      camera->*(&StereoOf::Stereo) = stereo;
+      camera->Modified();
+    }
   }
 };
 
@@ -315,6 +332,10 @@ void vtkScreenSpaceAmbientOcclusionPass::Render(const vtkRenderState* s)
   stages.Reused = false;
   stages.Times.fill(0.0);
   this->FollowWindow(s->GetRenderer()->GetVTKWindow());
+  if (vtkRenderWindow* window = s->GetRenderer()->GetRenderWindow())
+  {
+    StereoOf::Set(s->GetRenderer()->GetActiveCamera(), window->GetStereoRender());
+  }
 
   if (s->GetRenderer()->GetSelector())
   {

@@ -57,17 +57,17 @@ void AddLegendAndAxes(Stage& stage)
 }
 
 //------------------------------------------------------------------------------
-// Widgets with their interactor: they outlive the stage.
+// Widgets with their interactors: they outlive the stages.
 struct Widgets
 {
-  vtkSmartPointer<vtkRenderWindowInteractor> Interactor;
+  std::vector<vtkSmartPointer<vtkRenderWindowInteractor>> Interactors;
   std::vector<vtkSmartPointer<vtkInteractorObserver>> All;
 
   void Add(Stage& stage)
   {
-    this->Clear();
-    this->Interactor = vtkSmartPointer<vtkRenderWindowInteractor>::New();
-    this->Interactor->SetRenderWindow(stage.Window);
+    vtkNew<vtkRenderWindowInteractor> interactor;
+    interactor->SetRenderWindow(stage.Window);
+    this->Interactors.emplace_back(interactor);
     vtkNew<vtkAxesActor> axes;
     vtkNew<vtkOrientationMarkerWidget> marker;
     marker->SetOrientationMarker(axes);
@@ -87,7 +87,7 @@ struct Widgets
     for (vtkInteractorObserver* widget : { static_cast<vtkInteractorObserver*>(marker),
            static_cast<vtkInteractorObserver*>(box), static_cast<vtkInteractorObserver*>(slider) })
     {
-      widget->SetInteractor(this->Interactor);
+      widget->SetInteractor(interactor);
       widget->SetCurrentRenderer(stage.Renderer);
       widget->SetEnabled(1);
       this->All.emplace_back(widget);
@@ -101,7 +101,7 @@ struct Widgets
       widget->SetEnabled(0);
     }
     this->All.clear();
-    this->Interactor = nullptr;
+    this->Interactors.clear();
   }
 };
 }

@@ -224,8 +224,9 @@ std::string Draw(Stage& stage, vtkRenderer* renderer, AOPass* pass)
 int TestRandomScenes(int argc, char* argv[])
 {
   Report report;
-  const int first = argc > 1 ? std::atoi(argv[1]) : 0;
-  const int count = argc > 2 ? std::atoi(argv[2]) : 100;
+  const bool chosen = argc > 2 && argv[1][0] != '-'; // not the folders that ctest gives
+  const int first = chosen ? std::atoi(argv[1]) : 0;
+  const int count = chosen ? std::atoi(argv[2]) : 100;
   const int perWindow = 50; // then another size, and other samples
   std::unique_ptr<Stage> stage;
   vtkSmartPointer<AOPass> pass;
@@ -260,7 +261,7 @@ int TestRandomScenes(int argc, char* argv[])
     const bool onePerPixel = stage->Window->GetMultiSamples() == 0;
     renderer->SetUseFXAA(chance.Likely(0.1) && onePerPixel);
     renderer->SetUseDepthPeeling(chance.Likely(0.15) && onePerPixel);
-    renderer->SetPass(argc > 3 ? nullptr : pass.Get());
+    renderer->SetPass(chosen && argc > 3 ? nullptr : pass.Get());
     const std::size_t messages = report.GetMessages().size();
     const std::string wrong = Draw(*stage, renderer, pass);
     if (!wrong.empty() || report.GetMessages().size() > messages)

@@ -12,7 +12,7 @@ if [ "${2-}" = one ]; then
   rm -rf "$out" && mkdir -p "$out" && cd "$out" || exit 1
   draw() { # mode, folder
     mkdir -p "$2"
-    timeout 100 "$build/vtkTestDriver" "$build/$module.so" "$function" "$1" -T "$out/$2" \
+    timeout 300 "$build/vtkTestDriver" "$build/$module.so" "$function" "$1" -T "$out/$2" \
       -V "$out/none/picture.png" >"$2.log" 2>&1
     echo $? >"$2.status"
     [ -s "$2/picture.png" ]
