@@ -31,10 +31,11 @@ namespace
 {
 using Pass = vtkScreenSpaceAmbientOcclusionPass;
 
-// A pixel whose interpolated visibility has less than this share from its own surface is estimated
-// itself. Between the sums of the weights where one or two neighbours are on the surface, 0.25 to 0.5,
-// and those of three, so that rounding does not decide.
-constexpr float LeastShare = 0.6F;
+// The share of its own surface in a pixel's interpolated visibility up to which the pixel is
+// estimated itself, and from which it is not; between them both are mixed, so that rounding does
+// not decide. Of four neighbours halfway, two on the surface have 0.5 and three 0.75.
+constexpr float EstimatedShare = 0.55F;
+constexpr float InterpolatedShare = 0.7F;
 
 //------------------------------------------------------------------------------
 // The shader of an estimator, which defines ssaoVisibility().
@@ -189,7 +190,8 @@ bool vtkSSAOOcclusionStage::Render(const vtkSSAOView& view,
   if (interpolated)
   {
     program->SetUniformi("interpolated", interpolated->GetTextureUnit());
-    program->SetUniformf("leastShare", LeastShare);
+    const float shares[2] = { EstimatedShare, InterpolatedShare };
+    program->SetUniform2f("shares", shares);
   }
   const bool drawn = this->DrawToOutput(view.Coarse(downsampling), interpolated ? 1 : 4);
   for (vtkTextureObject* input : inputs)

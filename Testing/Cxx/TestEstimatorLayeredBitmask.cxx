@@ -309,6 +309,7 @@ void TestLayers(vtkSSAOTestMonitor& test)
   vtkSSAOAddStillLife(view);
   vtkSSAOLookAtStillLife(view, false);
   view.Pass->SetRadius(0.5);
+  view.Pass->SetDownsampling(1);
   std::vector<double> bytes;
   std::vector<vtkSSAOTestImage> images;
   for (int layers : { 1, 2, 5, 6, 9, 5, 1 })
@@ -342,6 +343,7 @@ void TestMultiSampled(vtkSSAOTestMonitor& test)
     vtkSSAOAddStillLife(view);
     vtkSSAOLookAtStillLife(view, false);
     view.Pass->SetRadius(0.5);
+    view.Pass->SetDownsampling(1);
     view.Visibility();
     vtkNew<vtkImageData> image;
     test.Expect(view.Pass->GetSolids(image), "solids with " + std::to_string(samples) + " samples");

@@ -16,11 +16,12 @@
     vec2 ssaoEnds = vec2(ssaoFacing > 0.0 ? ssaoDepth : SSAO_NONE, ssaoFacing > 0.0 ? SSAO_NONE : ssaoDepth);
 #endif
     // The surface that set a bound must not pass it, though it may come out rounded otherwise here.
+    float ssaoChange = ssaoMargin.y * fwidth(ssaoDepth);
 #if defined(SSAO_IMPOSTOR)
-    float ssaoOff = ssaoMargin.x * ssaoDepth;
-#else
-    float ssaoOff = ssaoMargin.x * ssaoDepth + ssaoMargin.y * fwidth(ssaoDepth);
+    // Beyond an impostor's rim there is no depth to take a difference with: it may be anything.
+    ssaoChange = ssaoChange < 0.1 * ssaoSheet ? ssaoChange : 0.0;
 #endif
+    float ssaoOff = ssaoMargin.x * ssaoDepth + ssaoChange;
     vec4 ssaoWithin = ssaoBounds + vec4(ssaoOff, -ssaoOff, ssaoOff, -ssaoOff);
     // Its other side may lie in the very same place: a face that is there twice, wound both ways.
     float ssaoCoincident = ssaoFirst - 4.0 * ssaoOff;

@@ -62,7 +62,9 @@ void main()
   int insideAtEnd = ssaoInsideAfter(0, depths[0]);
   for (int i = 1; i < SSAO_LAYERS; ++i)
   {
-    bool isFront = fronts.x <= backs.x;
+    // Where bodies touch rounding does not decide: one is entered before the other is left.
+    bool touching = backs.x < none && abs(fronts.x - backs.x) < 1.0e-5 * backs.x;
+    bool isFront = touching ? facing > 0.0 : fronts.x <= backs.x;
     float nearest = isFront ? fronts.x : backs.x;
     depths[i] = nearest < none ? (isFront ? facing : -facing) * nearest : 0.0;
     fronts = isFront ? vec4(fronts.yzw, none) : fronts;

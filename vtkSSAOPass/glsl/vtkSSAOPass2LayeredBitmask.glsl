@@ -80,11 +80,16 @@ SsaoSide ssaoSide(vec2 reach, float lowest, float normalCosine, float normalSine
 }
 
 // Centre of the solids' texel that a pixel falls into, or of the last one before the viewport's end.
+// Where texels are larger than pixels, their borders are shifted off the pixels' centres: a trace along
+// an axis must not depend on its rounding.
 vec2 ssaoSolidsTexelOf(vec2 pixel)
 {
   vec2 edge = vec2(solidsPlace.x, solidsPlace.y);
-  vec2 last = vec2(viewport.x + viewport.z, viewport.y + viewport.w) - edge * float(0.5);
-  return floor((min(pixel, last) - vec2(solidsPlace.z, solidsPlace.w)) / edge) +
+  vec2 last = vec2(viewport.x + viewport.z, viewport.y + viewport.w) -
+    edge * float(0.5) - vec2(float(0.5), float(0.5));
+  float shift = solidsPlace.x > float(1.0) ? float(0.125) : float(0.0);
+  return floor((min(pixel, last) - vec2(solidsPlace.z, solidsPlace.w)) / edge +
+           vec2(shift, shift)) +
     vec2(float(0.5), float(0.5));
 }
 

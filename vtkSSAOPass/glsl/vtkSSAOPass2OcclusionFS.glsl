@@ -28,7 +28,7 @@ uniform float sheet;             // LayeredBitmask: thickness of what has no bac
 uniform vec2 sliceTurn;          // ExactHorizon, LayeredBitmask: (cos, sin) from slice to slice
 #if defined(SSAO_REFINED)
 uniform sampler2D interpolated; // (visibility, share of it that came from the pixel's own surface)
-uniform float leastShare;       // below which a pixel is estimated
+uniform vec2 shares;            // up to which a pixel is estimated, from which it is not
 #endif
 uniform float downsampling;      // edge in pixels of the squares of which one pixel is estimated
 uniform float noiseSize;         // edge of the noise tile in estimated pixels
@@ -77,11 +77,14 @@ void main()
   vec4 center = ssaoGeometryAt(pixel);
 #if defined(SSAO_REFINED)
   vec2 before = textureLod(interpolated, pixel * texelSize, 0.0).xy;
-  bool needed = center.x > 0.0 && before.y < leastShare;
+  bool needed = center.x > 0.0 && before.y < shares.y;
   kernelSize = needed ? samplesInKernel : 0;
   directions = needed ? allDirections : 0;
   float visibility = ssaoVisibility(pixel, center);
-  gl_FragData[0] = vec4(needed ? visibility : before.x, 0.0, 0.0, 1.0);
+  gl_FragData[0] = vec4(needed
+      ? mix(visibility, before.x, clamp((before.y - shares.x) / (shares.y - shares.x), 0.25, 1.0))
+      : before.x,
+    0.0, 0.0, 1.0);
 #else
   kernelSize = samplesInKernel;
   directions = allDirections;
