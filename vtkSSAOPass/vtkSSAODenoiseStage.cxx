@@ -36,11 +36,7 @@ const char* DenoiserSource(int denoiser)
 void vtkSSAODenoiseStage::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->vtkSSAOFullScreenStage::ReleaseGraphicsResources(window);
-  if (this->Between)
-  {
-    this->Between->ReleaseGraphicsResources(window);
-    this->Between = nullptr;
-  }
+  Release(this->Between, window);
 }
 
 //------------------------------------------------------------------------------
@@ -104,19 +100,15 @@ bool vtkSSAODenoiseStage::DrawStep(const vtkSSAOView& view, const vtkSSAODenoise
   const float coarseTexelSize[2] = { 1.0F / visibility->GetWidth(),
     1.0F / visibility->GetHeight() };
   program->SetUniform2f("coarseTexelSize", coarseTexelSize);
-  const glm::vec4 estimated(view.Coarse(settings.Downsampling).Drawn);
+  const vtkSSAOView estimatedView = view.Coarse(settings.Downsampling);
+  const glm::vec4 estimated(estimatedView.Drawn);
   program->SetUniform4f("estimated", &estimated[0]);
   const float axis[2] = { across ? 1.0F : 0.0F, across ? 0.0F : 1.0F };
   program->SetUniform2f("axis", axis);
   program->SetUniformf("largestStep", static_cast<float>(0.5 * settings.Radius));
   // A target in between has one pixel for each that was estimated.
-  vtkSSAOView stepView(view);
-  if (target && settings.Downsampling > 1)
-  {
-    stepView = view.Coarse(settings.Downsampling);
-  }
-  const bool drawn = target ? this->DrawToTexture(stepView, 2, *target)
-                            : this->DrawToOutput(stepView, settings.Downsampling > 1 ? 2 : 1);
+  const bool drawn = target ? this->DrawToTexture(estimatedView, 2, *target)
+                            : this->DrawToOutput(view, settings.Downsampling > 1 ? 2 : 1);
   visibility->Deactivate();
   geometry->Deactivate();
   return drawn;

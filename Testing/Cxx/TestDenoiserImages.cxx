@@ -14,10 +14,7 @@ int TestDenoiserImages(int argc, char* argv[])
   vtkSSAOTestMonitor test;
   vtkSSAOImageCompare images(argc, argv, test);
   vtkSSAOTestView view(test);
-  vtkSSAOAddStillLife(view);
-  vtkSSAOLookAtStillLife(view, false);
-  view.Pass->SetRadius(0.5);
-  view.Pass->SetOutputModeToOcclusion();
+  vtkSSAOShowOcclusionOfStillLife(view);
   view.Pass->SetDenoiserToBoxCentered();
   images.Compare(view.Picture(), { 1, 0.002, 4 }, "BoxCentered");
   view.Pass->SetDenoiserToSeparableGaussian();

@@ -74,10 +74,7 @@ int TestEstimatorExactHorizon(int argc, char* argv[])
 
   vtkSSAOImageCompare images(argc, argv, test);
   vtkSSAOTestView view(test);
-  vtkSSAOAddStillLife(view);
-  vtkSSAOLookAtStillLife(view, false);
-  view.Pass->SetRadius(0.5);
-  view.Pass->SetOutputModeToOcclusion();
+  vtkSSAOShowOcclusionOfStillLife(view);
   many(view.Pass);
   view.Pass->SetNoiseSize(1);
   // A sample that another rounding puts on another texel moves one of 32 horizons.

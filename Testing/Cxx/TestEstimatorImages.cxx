@@ -12,10 +12,7 @@ int TestEstimatorImages(int argc, char* argv[])
   vtkSSAOTestMonitor test;
   vtkSSAOImageCompare images(argc, argv, test);
   vtkSSAOTestView view(test);
-  vtkSSAOAddStillLife(view);
-  vtkSSAOLookAtStillLife(view, false);
-  view.Pass->SetRadius(0.5);
-  view.Pass->SetOutputModeToOcclusion();
+  vtkSSAOShowOcclusionOfStillLife(view);
   const int kernelSizes[] = { 32, 128, 128, 64, 64, 26, 24, 24, 24 };
   for (int estimator = 0; estimator < vtkSSAOTest::NumberOfEstimators; ++estimator)
   {

@@ -416,10 +416,7 @@ int TestEstimatorLayeredBitmask(int argc, char* argv[])
 
   vtkSSAOImageCompare images(argc, argv, test);
   vtkSSAOTestView view(test);
-  vtkSSAOAddStillLife(view);
-  vtkSSAOLookAtStillLife(view, false);
-  view.Pass->SetRadius(0.5);
-  view.Pass->SetOutputModeToOcclusion();
+  vtkSSAOShowOcclusionOfStillLife(view);
   SetMany(view.Pass);
   view.Pass->SetNoiseSize(1);
   // A sample that another rounding puts on another texel moves some of 960 sectors.

@@ -14,10 +14,7 @@ int TestPresets(int argc, char* argv[])
   vtkSSAOTestMonitor test;
   vtkSSAOImageCompare images(argc, argv, test);
   vtkSSAOTestView view(test);
-  vtkSSAOAddStillLife(view);
-  vtkSSAOLookAtStillLife(view, false);
-  view.Pass->SetRadius(0.5);
-  view.Pass->SetOutputModeToOcclusion();
+  vtkSSAOShowOcclusionOfStillLife(view);
   for (int preset = 0; preset < vtkSSAOTestView::NumberOfPresets; ++preset)
   {
     view.SetPreset(preset);

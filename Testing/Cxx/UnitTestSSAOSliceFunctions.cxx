@@ -31,18 +31,7 @@ using namespace glm;
 using Scalar = float;
 #include "glsl/vtkSSAOPass0Functions.glsl"
 #include "glsl/vtkSSAOPass0SliceFunctions.glsl"
-struct Estimator
-{
-  vec4 viewport, drawn, pixelToRay, rayToPixel, rayOffset, solidsPlace;
-  vec2 depthSlope, sliceTurn;
-  float perspective, radius, sheet;
-  float ssaoCertainty = 1.0f;
-  int directions, steps;
-  vec4 ssaoNoiseAt(vec2) { return vec4(0); }
-  vec4 ssaoSolidsAt(vec2) { return vec4(0); }
-  vec4 ssaoMoreSolidsAt(vec2) { return vec4(0); }
-#include "glsl/vtkSSAOPass2LayeredBitmask.glsl"
-};
+#include "UnitTestSSAOSliceFunctionsEstimator.h"
 }
 namespace inDouble
 {
@@ -54,18 +43,7 @@ using Scalar = double;
 #define float double
 #include "glsl/vtkSSAOPass0Functions.glsl"
 #include "glsl/vtkSSAOPass0SliceFunctions.glsl"
-struct Estimator
-{
-  vec4 viewport, drawn, pixelToRay, rayToPixel, rayOffset, solidsPlace;
-  vec2 depthSlope, sliceTurn;
-  float perspective, radius, sheet;
-  float ssaoCertainty = 1.0f;
-  int directions, steps;
-  vec4 ssaoNoiseAt(vec2) { return vec4(0); }
-  vec4 ssaoSolidsAt(vec2) { return vec4(0); }
-  vec4 ssaoMoreSolidsAt(vec2) { return vec4(0); }
-#include "glsl/vtkSSAOPass2LayeredBitmask.glsl"
-};
+#include "UnitTestSSAOSliceFunctionsEstimator.h"
 #undef float
 }
 

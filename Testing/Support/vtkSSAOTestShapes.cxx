@@ -17,6 +17,7 @@
 #include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkSSAOTestView.h"
+#include "vtkScreenSpaceAmbientOcclusionPass.h"
 #include "vtkSphereSource.h"
 
 namespace
@@ -133,6 +134,15 @@ void vtkSSAOLookAtStillLife(vtkSSAOTestView& view, bool parallel, double scale)
   {
     view.Look(from, at, { 0, 1, 0 });
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkSSAOShowOcclusionOfStillLife(vtkSSAOTestView& view)
+{
+  vtkSSAOAddStillLife(view);
+  vtkSSAOLookAtStillLife(view, false);
+  view.Pass->SetRadius(0.5);
+  view.Pass->SetOutputModeToOcclusion();
 }
 
 //------------------------------------------------------------------------------

@@ -51,4 +51,9 @@ void vtkSSAOAddFloorAndSpheres(
 void vtkSSAOAddStillLife(vtkSSAOTestView& view, double scale = 1.0);
 void vtkSSAOLookAtStillLife(vtkSSAOTestView& view, bool parallel, double scale = 1.0);
 
+/**
+ * The same in perspective with radius .5, and V in place of the picture.
+ */
+void vtkSSAOShowOcclusionOfStillLife(vtkSSAOTestView& view);
+
 #endif
