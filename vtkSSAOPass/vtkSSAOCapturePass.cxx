@@ -116,6 +116,27 @@ bool MayExceedPicture(vtkActor* actor, double light)
 }
 
 //------------------------------------------------------------------------------
+// Whether nothing that an actor draws needs to be told from the light that may be occluded: its
+// faces have that alone, in opaque pixels, and whatever else it draws has none. withHighlights:
+// highlights may be occluded.
+bool ShowsOccludableLightOnly(vtkActor* actor, bool withHighlights)
+{
+  vtkShaderProperty* shader = actor->GetShaderProperty();
+  vtkProperty* faces[2] = { actor->GetProperty(), actor->GetBackfaceProperty() };
+  return !actor->GetForceOpaque() && !actor->GetTexture() &&
+    !actor->GetMapper()->IsA("vtkPointGaussianMapper") &&
+    !(shader && (shader->HasFragmentShaderCode() || shader->GetNumberOfShaderReplacements() > 0)) &&
+    std::all_of(faces, faces + 2,
+      [withHighlights](vtkProperty* property)
+      {
+        return !property ||
+          (property->GetLighting() && property->GetInterpolation() != VTK_PBR &&
+            property->GetNumberOfTextures() == 0 && !property->GetEdgeVisibility() &&
+            (withHighlights || property->GetSpecular() == 0.0));
+      });
+}
+
+//------------------------------------------------------------------------------
 // The largest sum over the lights of one channel of their colour.
 double TotalLight(vtkRenderer* renderer)
 {
@@ -245,6 +266,11 @@ bool vtkSSAOCapturePass::Capture(const vtkRenderState* s, const vtkSSAOView& vie
   this->Remainder.clear();
   this->Captured.clear();
   bool mayExceed = false;
+  vtkRenderWindow* window = view.Window;
+  bool allOccludable = this->Weights.y > 0.0F || this->Weights.z > 0.0F;
+  allOccludable = allOccludable && view.Samples == 0 && !window->GetPointSmoothing() &&
+    !window->GetLineSmoothing() && !window->GetPolygonSmoothing();
+  const bool withHighlights = this->Weights.z > 0.0F;
   const double light = TotalLight(view.Renderer);
   for (int i = 0; i < s->GetPropArrayCount(); ++i)
   {
@@ -254,6 +280,13 @@ bool vtkSSAOCapturePass::Capture(const vtkRenderState* s, const vtkSSAOView& vie
       this->Captured.push_back(prop);
       mayExceed = mayExceed ||
         !VisitActors(prop, [light](vtkActor* actor) { return !MayExceedPicture(actor, light); });
+      allOccludable = allOccludable &&
+        VisitActors(prop,
+          [withHighlights](vtkActor* actor)
+          {
+            // Translucent ones are drawn later.
+            return !actor->HasOpaqueGeometry() || ShowsOccludableLightOnly(actor, withHighlights);
+          });
     }
     else
     {
@@ -261,11 +294,18 @@ bool vtkSSAOCapturePass::Capture(const vtkRenderState* s, const vtkSSAOView& vie
     }
   }
 
-  // Attachments: 0 the picture, 1 geometry, 2 occludable, 3 lit.
-  const bool needsLight = this->Weights != glm::vec3(0.0F);
-  this->Outputs = needsLight ? (mayExceed && view.Clamped ? 4 : 3) : 2;
+  // Attachments: 0 the picture, 1 geometry, 2 occludable, 3 lit. Where the picture itself is the
+  // light that may be occluded it is not captured once more.
+  mayExceed = mayExceed && view.Clamped;
+  const bool needsLight = this->Weights != glm::vec3(0.0F) && (mayExceed || !allOccludable);
+  this->Outputs = needsLight ? (mayExceed ? 4 : 3) : 2;
   this->Perspective = static_cast<float>(view.Projection.Perspective);
   this->DepthOfWindow = view.Projection.DepthOfWindow;
+  // Where depths do not begin at the camera the window's, linear then, have more digits than those
+  // of view coordinates.
+  const glm::dvec4& rows = view.Projection.DepthOfWindow;
+  this->MeshDepth = view.DepthOrigin > 0.0 ? glm::dvec3(0.0, -2.0 / rows.x, (1.0 + rows.y) / rows.x)
+                                           : glm::dvec3(1.0, 0.0, 0.0);
   this->DepthOrigin = static_cast<float>(view.DepthOrigin);
   this->Surfaces = false;
 
@@ -599,6 +639,7 @@ bool vtkSSAOCapturePass::SetShaderParameters(vtkShaderProgram* program,
   }
   program->SetUniform3f("ssaoOccludableWeights", &this->Weights[0]);
   program->SetUniform4f("ssaoDepthOfWindowRows", &this->DepthOfWindow[0]);
+  program->SetUniform3f("ssaoMeshDepth", &this->MeshDepth[0]);
   program->SetUniformf("ssaoDepthOrigin", this->DepthOrigin);
   program->SetUniformf("ssaoPerspective", this->Perspective);
   return true;

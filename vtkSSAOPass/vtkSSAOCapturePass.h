@@ -107,7 +107,8 @@ public:
 
   ///@{
   /**
-   * What was captured; nullptr for what was not needed. Multisampled if the view is.
+   * What was captured; nullptr for what was not needed. Multisampled if the view is. Without
+   * occludable light, if any was asked for, the whole colour of the captured surfaces is.
    */
   vtkTextureObject* GetGeometry() const { return this->Geometry; }
   vtkTextureObject* GetOccludable() const;
@@ -152,6 +153,7 @@ private:
   std::array<bool, 2> Compiles = {}; // known to, by CanCompile
   glm::vec3 Weights = glm::vec3(0.0F);
   glm::vec4 DepthOfWindow = glm::vec4(0.0F);
+  glm::vec3 MeshDepth = glm::vec3(0.0F);
   float DepthOrigin = 0.0F;
   float Perspective = 1.0F;
   bool Surfaces = false;

@@ -106,8 +106,8 @@ bool vtkSSAODenoiseStage::DrawStep(const vtkSSAOView& view, const vtkSSAODenoise
   const float axis[2] = { across ? 1.0F : 0.0F, across ? 0.0F : 1.0F };
   program->SetUniform2f("axis", axis);
   program->SetUniformf("largestStep", static_cast<float>(0.5 * settings.Radius));
-  // A target in between has one pixel for each that was estimated.
-  const bool drawn = target ? this->DrawToTexture(estimatedView, 2, *target)
+  // A target in between has one pixel for each that was estimated: visibility, depth and certainty.
+  const bool drawn = target ? this->DrawToTexture(estimatedView, 4, *target)
                             : this->DrawToOutput(view, settings.Downsampling > 1 ? 2 : 1);
   visibility->Deactivate();
   geometry->Deactivate();

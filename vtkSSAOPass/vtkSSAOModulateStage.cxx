@@ -12,33 +12,54 @@
 #include "vtkTextureObject.h"
 
 #include <limits>
+#include <string>
+#include <vector>
 
 //------------------------------------------------------------------------------
 bool vtkSSAOModulateStage::Render(const vtkSSAOView& view, const vtkSSAOStrength& strength,
-  vtkTextureObject* visibility, vtkTextureObject* occludable, vtkTextureObject* lit)
+  vtkTextureObject* geometry, vtkTextureObject* visibility, vtkTextureObject* occludable,
+  vtkTextureObject* lit)
 {
   std::string source = vtkSSAOPass4ModulateFS;
   vtkShaderProgram::Substitute(source, "//SSAO::Samples::Dec",
-    view.Samples ? "#extension GL_ARB_sample_shading : require\n#define SSAO_MULTISAMPLE" : "");
+    std::string(view.Samples ? "#extension GL_ARB_sample_shading : require\n"
+                               "#define SSAO_MULTISAMPLE\n"
+                             : "") +
+      (occludable ? "" : "#define SSAO_ALL_OCCLUDABLE\n"));
   vtkShaderProgram::Substitute(source, "//SSAO::Functions", vtkSSAOPass0Functions);
   vtkShaderProgram* program = this->UseProgram(view.Window, source);
   if (!program)
   {
     return false;
   }
-  visibility->Activate();
-  occludable->Activate();
-  if (lit)
+  std::vector<vtkTextureObject*> inputs = { visibility };
+  if (occludable)
   {
-    lit->Activate();
+    inputs.push_back(occludable);
+    inputs.push_back(lit ? lit : occludable);
+  }
+  else
+  {
+    inputs.push_back(geometry);
+  }
+  for (vtkTextureObject* input : inputs)
+  {
+    input->Activate();
   }
   const float texelSize[2] = { 1.0F / view.TextureSize.x, 1.0F / view.TextureSize.y };
   const float values[4] = { static_cast<float>(strength.Power),
     static_cast<float>(strength.Intensity), static_cast<float>(strength.Scale),
     static_cast<float>(strength.Shift) };
   program->SetUniformi("visibility", visibility->GetTextureUnit());
-  program->SetUniformi("occludable", occludable->GetTextureUnit());
-  program->SetUniformi("lit", (lit ? lit : occludable)->GetTextureUnit());
+  if (occludable)
+  {
+    program->SetUniformi("occludable", occludable->GetTextureUnit());
+    program->SetUniformi("lit", (lit ? lit : occludable)->GetTextureUnit());
+  }
+  else
+  {
+    program->SetUniformi("geometry", geometry->GetTextureUnit());
+  }
   program->SetUniformi("haveLit", lit ? 1 : 0);
   program->SetUniformf("white", view.Clamped ? 1.0F : std::numeric_limits<float>::max());
   program->SetUniform2f("texelSize", texelSize);
@@ -52,17 +73,18 @@ bool vtkSSAOModulateStage::Render(const vtkSSAOView& view, const vtkSSAOStrength
     vtkOpenGLState::ScopedglColorMask colorMaskSaver(state);
     vtkOpenGLState::ScopedglDepthMask depthMaskSaver(state);
     state->vtkglEnable(GL_BLEND);
-    state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ZERO, GL_ONE);
-    state->vtkglBlendEquationSeparate(GL_FUNC_REVERSE_SUBTRACT, GL_FUNC_ADD);
+    // The picture times the visibility, or less what is taken.
+    state->vtkglBlendFuncSeparate(
+      occludable ? GL_ONE : GL_ZERO, occludable ? GL_ONE : GL_SRC_COLOR, GL_ZERO, GL_ONE);
+    state->vtkglBlendEquationSeparate(
+      occludable ? GL_FUNC_REVERSE_SUBTRACT : GL_FUNC_ADD, GL_FUNC_ADD);
     state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     state->vtkglDepthMask(GL_FALSE);
     this->Draw(view);
   }
-  if (lit)
+  for (vtkTextureObject* input : inputs)
   {
-    lit->Deactivate();
+    input->Deactivate();
   }
-  occludable->Deactivate();
-  visibility->Deactivate();
   return true;
 }

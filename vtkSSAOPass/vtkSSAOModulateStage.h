@@ -3,8 +3,8 @@
  * @class   vtkSSAOModulateStage
  * @brief   Stage 4: takes the occluded part of the light from the picture.
  *
- * Draws into the renderer's framebuffer with subtractive blending, so pixels without occlusion are
- * not touched at all, whatever was in the framebuffer.
+ * Draws into the renderer's framebuffer with blending that subtracts or multiplies, so pixels
+ * without occlusion are not touched at all, whatever was in the framebuffer.
  */
 
 #ifndef vtkSSAOModulateStage_h
@@ -27,10 +27,11 @@ class vtkSSAOModulateStage : public vtkSSAOFullScreenStage
 {
 public:
   /**
-   * visibility: one sample per pixel; occludable and lit (may be nullptr) as captured. False on
-   * failure: then the picture is as it was.
+   * geometry and visibility: one sample per pixel; occludable and lit (may be nullptr) as captured.
+   * Without occludable light the whole colour of the surfaces is. False on failure: then the
+   * picture is as it was.
    */
-  bool Render(const vtkSSAOView& view, const vtkSSAOStrength& strength,
+  bool Render(const vtkSSAOView& view, const vtkSSAOStrength& strength, vtkTextureObject* geometry,
     vtkTextureObject* visibility, vtkTextureObject* occludable, vtkTextureObject* lit);
 };
 

@@ -631,8 +631,8 @@ bool vtkScreenSpaceAmbientOcclusionPass::ModulateLight(const vtkSSAOView& view)
   strength.Intensity = this->Intensity;
   strength.Scale = this->IntensityScale;
   strength.Shift = this->IntensityShift;
-  const bool drawn = stages.Modulate.Render(
-    view, strength, stages.Visibility, stages.Capture->GetOccludable(), stages.Capture->GetLit());
+  const bool drawn = stages.Modulate.Render(view, strength, stages.Geometry, stages.Visibility,
+    stages.Capture->GetOccludable(), stages.Capture->GetLit());
   this->TimeStage(ModulateStage, view);
   return drawn;
 }
@@ -880,13 +880,13 @@ void vtkScreenSpaceAmbientOcclusionPass::SetQualityToFast()
 //------------------------------------------------------------------------------
 void vtkScreenSpaceAmbientOcclusionPass::SetQualityToBalanced()
 {
-  this->SetQuality(LayeredBitmask, 2, 6, 4, false);
+  this->SetQuality(LayeredBitmask, 1, 10, 4, false);
 }
 
 //------------------------------------------------------------------------------
 void vtkScreenSpaceAmbientOcclusionPass::SetQualityToAccurate()
 {
-  this->SetQuality(LayeredBitmask, 4, 12, 3, true);
+  this->SetQuality(LayeredBitmask, 3, 14, 3, true);
 }
 
 //------------------------------------------------------------------------------

@@ -114,8 +114,8 @@ public:
    * denoiser together. Balanced is the default. Each control may be changed afterwards. All
    * estimate one of 2 x 2 pixels and interpolate.
    * - Fast: ExactHorizon, 1 slice of 2 x 8 samples, noise tile 4.
-   * - Balanced: LayeredBitmask, 2 slices of 2 x 6 samples, 5 layers, noise tile 4.
-   * - Accurate: LayeredBitmask, 4 slices of 2 x 12 samples, 5 layers, noise tile 3,
+   * - Balanced: LayeredBitmask, 1 slice of 2 x 10 samples, 5 layers, noise tile 4.
+   * - Accurate: LayeredBitmask, 3 slices of 2 x 14 samples, 5 layers, noise tile 3,
    *   refinement.
    */
   void SetQualityToFast();
@@ -516,9 +516,9 @@ public:
    * shading normal and facet normal in view coordinates, towards the viewer, and 1 where the
    * surface shows its front, -1 where its back.
    * GetSolids: eight floats, for LayeredBitmask, of the estimated pixels only: front and back of up
-   * to four stretches of the ray inside solids, as linear view depths, 0 and 0 for none, 1e30 for no
-   * end; the first front is negative where the surface shows its back. False, and the image is left
-   * alone, if the last render made none: before any render, in output mode Unoccluded, with
+   * to four stretches of the ray inside solids, as linear view depths, 0 and 0 for none, 1e30 for
+   * no end; the first front is negative where the surface shows its back. False, and the image is
+   * left alone, if the last render made none: before any render, in output mode Unoccluded, with
    * Intensity 0 in output mode Composite, or after ReleaseGraphicsResources.
    */
   bool GetVisibility(vtkImageData* image);

@@ -42,8 +42,8 @@ const char* const Help =
   "  --cache DIR       where ray-traced images are kept (default: OUTPUT/truth)\n"
   "  --scenes A,B      only these scenes (--list names them)\n"
   "  --methods A,B     only methods whose name contains one of these; VTK's own are always there\n"
-  "  --views N         views per scene, 1 or 2 (default: 2, quick: 1)\n"
-  "  --size WxH        pixels, 16 to 4096 each way (default: 400x300)\n"
+  "  --views N         views per scene, 1 or 2 (default: 1)\n"
+  "  --size WxH        pixels, 16 to 4096 each way (default: 800x600, quick: 400x300)\n"
   "  --rays N          rays per pixel of the truth, 8 to 65536 (default: 256, quick: 64)\n"
   "  --rounds N        pairs of frames timed per method, 1 to 1000 (default: 3)\n"
   "  --commit TEXT     what is measured, for the report's facts\n"
@@ -58,7 +58,7 @@ struct Options
   bool Fresh = false;
   bool List = false;
   bool Help = false;
-  int Views = 0;
+  int Views = 1;
   std::string Output = "report";
   std::string Commit = "unknown";
   std::vector<std::string> Scenes;
@@ -109,7 +109,8 @@ bool Parse(int argc, char* argv[], Options& options, std::string& error)
     words.erase(words.begin());
     options.Quick = true;
     options.View.RaysPerPixel = 64;
-    options.Views = 1;
+    options.View.Width = 400;
+    options.View.Height = 300;
     options.Scenes = { "long_wall", "sphere_pack", "living_room", "brain" };
   }
   for (std::size_t i = 0; i < words.size(); ++i)
@@ -330,7 +331,7 @@ int Run(const Options& options)
   for (const std::string& scene : options.Scenes)
   {
     const int all = vtkSSAOScenes::GetInfo(scene).NumberOfViews;
-    for (int view = 0; view < (options.Views ? std::min(options.Views, all) : all); ++view)
+    for (int view = 0; view < std::min(options.Views, all); ++view)
     {
       views.emplace_back(scene, view);
     }

@@ -94,15 +94,16 @@ vtkSSAOReportMethod HorizonMethod(int directions, int steps)
 
 //------------------------------------------------------------------------------
 // Estimators that cut the hemisphere into slices, every pixel estimated.
-vtkSSAOReportMethod SliceMethod(
-  const std::string& name, int estimator, int directions, int steps, int layers)
+vtkSSAOReportMethod SliceMethod(const std::string& name, int estimator, int directions, int steps,
+  int layers, int denoiser = Pass::EdgeAware)
 {
   const std::string family = name +
-    (estimator == Pass::LayeredBitmask && layers != 5 ? ", " + std::to_string(layers) + " layers"
-                                                      : "");
+    (estimator == Pass::LayeredBitmask && layers != 5
+        ? ", " + std::to_string(layers) + (layers == 1 ? " layer" : " layers")
+        : "");
   return OurMethod(family + " " + std::to_string(directions) + "x" + std::to_string(steps), family,
     2 * directions * steps,
-    [estimator, directions, steps, layers](Pass* pass)
+    [estimator, directions, steps, layers, denoiser](Pass* pass)
     {
       pass->SetEstimator(estimator);
       pass->SetDirections(directions);
@@ -110,6 +111,7 @@ vtkSSAOReportMethod SliceMethod(
       pass->SetLayers(layers);
       pass->SetNoiseSize(2);
       pass->SetDownsampling(1);
+      pass->SetDenoiser(denoiser);
     });
 }
 
@@ -130,6 +132,8 @@ void AddSlices(std::vector<vtkSSAOReportMethod>& methods, bool quick)
   {
     methods.push_back(SliceMethod("LayeredBitmask", Pass::LayeredBitmask, 2, 8, 1));
     methods.push_back(SliceMethod("LayeredBitmask", Pass::LayeredBitmask, 2, 8, 9));
+    methods.push_back(
+      SliceMethod("LayeredBitmask, raw", Pass::LayeredBitmask, 2, 8, 5, Pass::None));
   }
 }
 

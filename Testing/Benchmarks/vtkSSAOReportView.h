@@ -30,8 +30,8 @@ class vtkSSAOReportView
 public:
   struct Settings
   {
-    int Width = 400;
-    int Height = 300;
+    int Width = 800;
+    int Height = 600;
     int RaysPerPixel = 256;
     int Rounds = 3; ///< pairs of frames timed per method
     std::string DataDirectory;

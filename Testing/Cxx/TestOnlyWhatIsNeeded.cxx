@@ -76,7 +76,7 @@ void TestUnchangedFrames(vtkSSAOTestMonitor& test, int preset)
     { "clipping plane", [&] { plane->SetOrigin(0.0, 0.0, 0.9); } },
     { "visibility", [&] { sphere->VisibilityOff(); } },
     { "radius", [&] { view.Pass->SetRadius(0.5); } },
-    { "directions", [&] { view.Pass->SetDirections(3); } },
+    { "directions", [&] { view.Pass->SetDirections(5); } },
     { "window", [&] { view.Window->SetSize(90, 90); } },
   };
   for (const auto& change : changes)

@@ -3,7 +3,9 @@
 // The functions of the estimators that cut the hemisphere into slices, and of the layers they look
 // at: the text of the shaders, compiled as C++ through GLM, in float and in double, without OpenGL.
 
+#include "vtkNew.h"
 #include "vtkSSAOTestMonitor.h"
+#include "vtkScreenSpaceAmbientOcclusionPass.h"
 
 #include <glm/common.hpp>
 #include <glm/exponential.hpp>

@@ -360,8 +360,8 @@ inline void TestShareInside(vtkSSAOTestMonitor& test, const std::string& what)
   const vec4 viewport(Scalar(10), Scalar(20), Scalar(100), Scalar(50));
   const auto share = [&](double x, double y, double reachX, double reachY)
   {
-    return double(
-      ssaoShareInside(vec2(Scalar(x), Scalar(y)), vec2(Scalar(reachX), Scalar(reachY)), viewport, Scalar(1)));
+    return double(ssaoShareInside(
+      vec2(Scalar(x), Scalar(y)), vec2(Scalar(reachX), Scalar(reachY)), viewport, Scalar(1)));
   };
   test.ExpectEqual(share(60, 45, 20, -20), 1.0, what + "a trace inside the viewport");
   test.ExpectNear(share(60, 45, 100, 0), 0.5, Epsilon, what + "a trace across the right border");
@@ -547,6 +547,44 @@ inline void TestSectors(vtkSSAOTestMonitor& test, const std::string& what)
 }
 
 //------------------------------------------------------------------------------
+// Fetches of one pixel of a plane that faces the viewer, where the radius covers 200 pixels.
+template <typename AnyEstimator>
+inline int CountFetches(vtkScreenSpaceAmbientOcclusionPass* preset)
+{
+  AnyEstimator estimator{};
+  estimator.viewport = vec4(0, 0, 800, 600);
+  estimator.drawn = estimator.viewport;
+  estimator.pixelToRay = vec4(Scalar(0.001), 0, 0, Scalar(0.001));
+  estimator.rayToPixel = vec4(1000, 0, 0, 1000);
+  estimator.rayOffset = vec4(Scalar(-0.4), Scalar(-0.3), 0, 0);
+  estimator.solidsPlace = vec4(2, 2, 0, 0);
+  estimator.sliceTurn = vec2(0, 1);
+  estimator.perspective = 1;
+  estimator.radius = 1;
+  estimator.sheet = Scalar(0.1);
+  estimator.directions = preset->GetDirections();
+  estimator.steps = preset->GetSteps();
+  const vec3 towardsViewer(0, 0, 1);
+  estimator.ssaoVisibility(
+    vec2(400, 300), vec4(5, ssaoPackNormal(towardsViewer), ssaoPackFacet(towardsViewer, 1), 1));
+  return estimator.fetches;
+}
+
+//------------------------------------------------------------------------------
+// The budgets that the documentation names: fetches of an estimated pixel, its own geometry among
+// them.
+inline void TestFetchBudgets(vtkSSAOTestMonitor& test, const std::string& what)
+{
+  vtkNew<vtkScreenSpaceAmbientOcclusionPass> preset;
+  preset->SetQualityToFast();
+  test.ExpectEqual(1 + CountFetches<ExactHorizon>(preset), 18, what + "fetches of Fast");
+  preset->SetQualityToBalanced();
+  test.ExpectEqual(1 + CountFetches<Estimator>(preset), 43, what + "fetches of Balanced");
+  preset->SetQualityToAccurate();
+  test.ExpectEqual(1 + CountFetches<Estimator>(preset), 171, what + "fetches of Accurate");
+}
+
+//------------------------------------------------------------------------------
 inline void TestAll(vtkSSAOTestMonitor& test, const std::string& what)
 {
   TestArcCosine(test, what);
@@ -558,5 +596,6 @@ inline void TestAll(vtkSSAOTestMonitor& test, const std::string& what)
   TestShareInside(test, what);
   TestSolids(test, what);
   TestSectors(test, what);
+  TestFetchBudgets(test, what);
 }
 }

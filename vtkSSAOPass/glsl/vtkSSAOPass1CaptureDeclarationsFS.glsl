@@ -4,9 +4,8 @@ uniform vec4 ssaoDepthOfWindowRows; // rows 2 and 3 of the projection, see ssaoD
 uniform float ssaoDepthOrigin;      // how far in front of the camera depths begin, world units
 uniform float ssaoPerspective;      // 1: perspective, 0: parallel projection
 uniform float ssaoFrontSign;        // -1: the actor's transform mirrors, front and back are swapped
-// Where depths do not begin at the camera, the window's have more digits than those of VC.
-#define SSAO_MESH_DEPTH (ssaoDepthOrigin > 0.0 \
-    ? ssaoDepthOfWindow(gl_FragCoord.z, ssaoDepthOfWindowRows) : -vertexVC.z)
+uniform vec3 ssaoMeshDepth;         // a mesh's depth is this times (depth in VC, in the window, 1)
+#define SSAO_MESH_DEPTH dot(ssaoMeshDepth, vec3(-vertexVC.z, gl_FragCoord.z, 1.0))
 #if defined(SSAO_LAYERS)
 #define SSAO_NONE 1.0e30
 uniform sampler2D ssaoLayersBefore; // first round: the captured geometry, later: the layers before
@@ -16,4 +15,22 @@ uniform float ssaoFirstKnown;       // 0: the captured depth is not that at the 
 uniform vec2 ssaoMargin;            // by which a depth may be off: share of it, share of its change to the next pixel
 uniform float ssaoReach;            // how far behind the first surface layers matter, world units
 uniform float ssaoSheet;            // thickness of sprites, world units
+
+// -depth and, within reach of the first surface, depth, beyond it -depth again; -1e30 twice if it does
+// not count: the first round looks behind the first surface, if that is known exactly, the next ones
+// between what is known.
+//   known     of this facing, in the later rounds: -depth of the nearest, depth of the farthest
+//   first     in the first round: depth of the first surface
+//   sameSide  in the first round: whether that shows the same side, 1 or -1. Its other side may lie in
+//             the very same place: a face that is there twice, wound both ways
+//   off       by which the depth may be off
+vec2 ssaoLayer(float depth, vec2 known, float first, float sameSide, float off)
+{
+  bool isFirst = ssaoFirstRound > 0.5;
+  float near = isFirst ? ssaoFirstKnown * first : -known.x;
+  float limit = (isFirst ? first : near) + ssaoReach;
+  float low = near + (isFirst && sameSide < 0.0 ? -4.0 * off : off);
+  bool counts = depth > low && (isFirst || depth < abs(known.y) - off);
+  return counts ? vec2(-depth, depth < limit ? depth : -depth) : vec2(-SSAO_NONE);
+}
 #endif

@@ -26,12 +26,13 @@
 #elif defined(SSAO_EDGE_MIX)
     ssaoPart *= 1.0 - SSAO_EDGE_MIX;
 #endif
-    vec3 ssaoViewer = ssaoTowardsViewer(vertexVC.xyz, ssaoPerspective);
+    // Of these vectors the directions matter, not the lengths.
+    vec3 ssaoViewer = vec3(-ssaoPerspective * vertexVC.xy, ssaoPerspective * -vertexVC.z + 1.0 - ssaoPerspective);
     vec3 ssaoNormal = normalVCVSOutput;
 #if defined(SSAO_IMPOSTOR)
     vec3 ssaoFacet = ssaoNormal;
 #else
-    vec3 ssaoFacet = dot(ssaoFacetVC, ssaoFacetVC) > 0.0 ? normalize(ssaoFacetVC) : ssaoNormal;
+    vec3 ssaoFacet = dot(abs(ssaoFacetVC), vec3(1.0)) > 0.0 ? ssaoFacetVC : ssaoNormal;
 #endif
     ssaoFacet = dot(ssaoFacet, ssaoViewer) < 0.0 ? -ssaoFacet : ssaoFacet;
     ssaoNormal = dot(ssaoNormal, ssaoNormal) > 0.25 ? ssaoNormal : ssaoFacet;
@@ -40,7 +41,7 @@
     ssaoNormal =
       dot(ssaoNormal, ssaoViewer) < 0.0 && dot(ssaoNormal, ssaoFacet) < 0.0 ? -ssaoNormal : ssaoNormal;
     ssaoFacet = dot(ssaoNormal, ssaoFacet) < 0.0 ? ssaoNormal : ssaoFacet;
-    gl_FragData[1] = vec4(ssaoDepth, ssaoPackNormal(normalize(ssaoNormal)),
+    gl_FragData[1] = vec4(ssaoDepth, ssaoPackNormal(ssaoNormal),
       ssaoPackFacet(ssaoFacet, ssaoFacing), ssaoAlpha < SSAO_OPAQUE ? 0.0 : 1.0);
     gl_FragData[2] = vec4(ssaoPart, ssaoAlpha);
     gl_FragData[3] = vec4(ssaoStored, ssaoAlpha);

@@ -46,7 +46,6 @@ float ssaoVisibility(vec2 pixel, vec4 center)
   vec2 turn = vec2(noise.z, noise.w);
   float visible = float(0.0);
   float open = float(0.0);
-  float whole = float(0.0);
   for (int i = 0; i < directions; ++i)
   {
     SsaoSlice slice = ssaoSlice(across, up, viewer, normal, facet, turn);
@@ -66,8 +65,7 @@ float ssaoVisibility(vec2 pixel, vec4 center)
     visible += knownAhead * ssaoArcMeasure(ahead, slice.normalCosine, slice.normalSine) +
       knownBehind * ssaoArcMeasure(behind, slice.normalCosine, -slice.normalSine);
     open += knownAhead * openAhead + knownBehind * openBehind;
-    whole += slice.weight * (openAhead + openBehind);
   }
-  ssaoCertainty = open / max(whole, float(0.000001));
+  ssaoCertainty = open / float(max(directions, 1));
   return open > float(0.000001) ? clamp(visible / open, float(0.0), float(1.0)) : float(1.0);
 }

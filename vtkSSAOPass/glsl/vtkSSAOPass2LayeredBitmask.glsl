@@ -157,7 +157,6 @@ float ssaoVisibility(vec2 pixel, vec4 center)
   float facing = isOwn ? (own < float(0.0) ? float(-1.0) : float(1.0)) : ssaoUnpackFacing(center.z);
   float visible = float(0.0);
   float open = float(0.0);
-  float whole = float(0.0);
   float sign = float(1.0);
   // Both sides of all slices in one loop, which keeps the program small: software rasterisers pay for
   // its length.
@@ -183,10 +182,9 @@ float ssaoVisibility(vec2 pixel, vec4 center)
     float weight = slice.weight * sqrt(inside);
     visible += weight * ssaoVisibleMeasure(side);
     open += weight * float(30.0) / side.sectorsPerMeasure;
-    whole += slice.weight * float(30.0) / side.sectorsPerMeasure;
     turn = sign > float(0.0) ? turn : ssaoTurned(turn, sliceTurn);
     sign = -sign;
   }
-  ssaoCertainty = open / max(whole, float(0.000001));
+  ssaoCertainty = open / float(max(directions, 1));
   return open > float(0.000001) ? clamp(visible / open, float(0.0), float(1.0)) : float(1.0);
 }

@@ -60,7 +60,9 @@ vec4 ssaoMoreSolidsAt(vec2 texel)
   return textureLod(moreSolids, texel * solidsTexelSize, 0.0);
 }
 
-// Which share of what decides the visibility lay inside the picture; an estimator may set it.
+// How much of the hemisphere the visibility speaks for: what a slice weighs, and how much of it lay
+// inside the picture. Means over pixels are weighted with it, as those over slices are: one slice does
+// for a pixel then. An estimator may set it.
 float ssaoCertainty = 1.0;
 
 // What an estimator takes of its samples and directions: nothing for a pixel that needs no estimate.

@@ -8,7 +8,7 @@
 
 //SSAO::View
 
-uniform sampler2D visibility; // raw ambient visibility
+uniform sampler2D visibility; // (raw ambient visibility, depth, certainty)
 uniform int noiseSize;        // edge of the noise tile in pixels
 
 void main()
@@ -18,16 +18,20 @@ void main()
   int reach = noiseSize / 2;
   float border = noiseSize % 2 == 0 ? 0.5 : 1.0;
   float sum = 0.0;
+  float weights = 0.0;
   for (int j = -reach; j <= reach; ++j)
   {
     for (int i = -reach; i <= reach; ++i)
     {
       float weight = (abs(i) == reach ? border : 1.0) * (abs(j) == reach ? border : 1.0);
       vec2 pixel = gl_FragCoord.xy + vec2(i, j);
-      sum += weight * textureLod(visibility, clamp(pixel, low, high) * texelSize, 0.0).x;
+      vec3 neighbour = textureLod(visibility, clamp(pixel, low, high) * texelSize, 0.0).xyz;
+      weight *= neighbour.z;
+      sum += weight * neighbour.x;
+      weights += weight;
     }
   }
-  float mean = sum / float(noiseSize * noiseSize);
+  float mean = sum / max(weights, 0.000001);
   // A pixel without a surface has no occlusion to blur.
   gl_FragData[0] = vec4(ssaoGeometryAt(gl_FragCoord.xy).x > 0.0 ? mean : 1.0, 0.0, 0.0, 1.0);
 }

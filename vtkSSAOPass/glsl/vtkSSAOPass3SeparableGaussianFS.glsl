@@ -9,7 +9,7 @@
 //SSAO::Functions
 //SSAO::View
 
-uniform sampler2D visibility; // raw ambient visibility, or the blurred one of the first time
+uniform sampler2D visibility; // (raw ambient visibility, depth, certainty), or what is drawn here first
 uniform int noiseSize;        // edge of the noise tile in pixels
 uniform vec2 axis;            // (1, 0) across, (0, 1) down
 uniform float largestStep;    // difference of depth that is an edge, world units
@@ -19,12 +19,14 @@ void main()
   vec2 pixel = gl_FragCoord.xy;
   vec4 center = ssaoGeometryAt(pixel);
   float result = 1.0;
+  float certainty = 1.0;
   if (center.x > 0.0)
   {
     vec3 normal = ssaoUnpackNormal(center.y);
     float deviation = 0.5 * float(noiseSize);
     float sum = 0.0;
     float weights = 0.0;
+    float gaussians = 0.0;
     for (int i = -noiseSize; i <= noiseSize; ++i)
     {
       vec2 at = pixel + float(i) * axis;
@@ -35,10 +37,13 @@ void main()
         dot(ssaoUnpackNormal(neighbour.y), normal) > 0.75;
       float away = float(i) / deviation;
       float weight = alike || i == 0 ? exp(-0.5 * away * away) : 0.0;
-      sum += weight * textureLod(visibility, at * texelSize, 0.0).x;
-      weights += weight;
+      vec3 there = textureLod(visibility, at * texelSize, 0.0).xyz;
+      sum += weight * there.z * there.x;
+      weights += weight * there.z;
+      gaussians += weight;
     }
-    result = sum / weights;
+    result = sum / max(weights, 0.000001);
+    certainty = weights / gaussians;
   }
-  gl_FragData[0] = vec4(result, 0.0, 0.0, 1.0);
+  gl_FragData[0] = vec4(result, center.x, certainty, 1.0);
 }

@@ -2,7 +2,8 @@
 //SSAO::Samples::Dec
 //VTK::Output::Dec
 
-// Stage 4: what is to be taken from the picture, in its own encoding: blending subtracts it.
+// Stage 4: what is to be taken from the picture, in its own encoding: blending subtracts it. Or, with
+// SSAO_ALL_OCCLUDABLE, the visibility, with which blending multiplies the picture.
 
 //SSAO::Functions
 
@@ -11,7 +12,9 @@ uniform vec2 texelSize;       // 1 / size of that texture
 uniform vec4 strength;        // power, intensity, scale, shift of ssaoStrength
 uniform int haveLit;          // 1: texture lit holds the colour before clamping
 uniform float white;          // largest value the picture can hold, 1 if it is clamped
-#if defined(SSAO_MULTISAMPLE)
+#if defined(SSAO_ALL_OCCLUDABLE)
+uniform sampler2D geometry; // (depth, ...); depth 0: nothing that may be occluded
+#elif defined(SSAO_MULTISAMPLE)
 uniform sampler2DMS occludable; // part of the light that may be occluded, textures included
 uniform sampler2DMS lit;        // colour before clamping; negative: linear light
 #define SSAO_LIGHT(texture) texelFetch(texture, ivec2(gl_FragCoord.xy), gl_SampleID).rgb
@@ -29,6 +32,10 @@ void main()
   {
     discard;
   }
+#if defined(SSAO_ALL_OCCLUDABLE)
+  bool surface = textureLod(geometry, gl_FragCoord.xy * texelSize, 0.0).x > 0.0;
+  gl_FragData[0] = vec4(vec3(surface ? v : 1.0), 0.0);
+#else
   vec3 taken = (1.0 - v) * SSAO_LIGHT(occludable);
   if (haveLit == 1)
   {
@@ -44,4 +51,5 @@ void main()
     taken = min(before, vec3(white)) - min(after, vec3(white));
   }
   gl_FragData[0] = vec4(taken, 0.0);
+#endif
 }
