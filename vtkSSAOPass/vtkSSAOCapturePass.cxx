@@ -588,22 +588,32 @@ bool vtkSSAOCapturePass::PostReplaceShaderValues(std::string& vertexShader,
   vtkShaderProgram::Substitute(
     fragmentShader, "void main()", declarations + "\nvoid main()", false);
   // At the very end, behind all that may set the position.
-  std::string vertexDeclarations;
-  std::string vertexEnd;
+  const auto append = [](std::string& shader, const char* declaration, const std::string& text)
+  {
+    shader.insert(shader.rfind('}'), text);
+    vtkShaderProgram::Substitute(
+      shader, "void main()", std::string(declaration) + "\nvoid main()", false);
+  };
   if (clipVarying)
   {
-    vertexDeclarations += "out float ssaoClipVSOutput;\n";
-    vertexEnd += "  ssaoClipVSOutput = gl_Position.z;\n";
+    append(vertexShader, "out float ssaoClipVSOutput;", "  ssaoClipVSOutput = gl_Position.z;\n");
   }
   if (this->Layers)
   {
-    vertexDeclarations += "uniform vec4 ssaoDeviceOfScene;\n";
-    vertexEnd += "  gl_Position.xy = gl_Position.xy * ssaoDeviceOfScene.xy +\n"
-                 "    gl_Position.w * ssaoDeviceOfScene.zw;\n";
+    const char* declaration = "uniform vec4 ssaoDeviceOfScene;";
+    const std::string move = "  gl_Position.xy = gl_Position.xy * ssaoDeviceOfScene.xy +\n"
+                             "    gl_Position.w * ssaoDeviceOfScene.zw;\n";
+    if (geometryShader.empty())
+    {
+      append(vertexShader, declaration, move);
+    }
+    else
+    {
+      // Impostors have view coordinates before.
+      append(geometryShader, declaration, "");
+      vtkShaderProgram::Substitute(geometryShader, "EmitVertex();", move + "  EmitVertex();", true);
+    }
   }
-  vertexShader.insert(vertexShader.rfind('}'), vertexEnd);
-  vtkShaderProgram::Substitute(
-    vertexShader, "void main()", vertexDeclarations + "void main()", false);
   if (lit && !impostor && !this->Layers)
   {
     vtkShaderProgram::Substitute(fragmentShader, "//VTK::UniformFlow::Impl",

@@ -16,12 +16,18 @@
     vec2 ssaoEnds = vec2(ssaoFacing > 0.0 ? ssaoDepth : SSAO_NONE, ssaoFacing > 0.0 ? SSAO_NONE : ssaoDepth);
 #endif
     // The surface that set a bound must not pass it, though it may come out rounded otherwise here.
-    float ssaoChange = ssaoMargin.y * fwidth(ssaoDepth);
 #if defined(SSAO_IMPOSTOR)
-    // Beyond an impostor's rim there is no depth to take a difference with: it may be anything.
-    ssaoChange = ssaoChange < 0.1 * ssaoSheet ? ssaoChange : 0.0;
+    // Beyond an impostor's rim there is no depth to take a difference with. VTK computes it from the
+    // camera on.
+    vec3 ssaoViewer = ssaoTowardsViewer(vertexVC.xyz, ssaoPerspective);
+    float ssaoChange = dot(abs(normalVCVSOutput.xy), fwidth(vertexVCVSOutput.xy)) /
+      max(abs(dot(normalVCVSOutput, ssaoViewer)), 0.02);
+    float ssaoRounding = ssaoMargin.x * (ssaoDepth + ssaoDepthOrigin);
+#else
+    float ssaoChange = fwidth(ssaoDepth);
+    float ssaoRounding = ssaoMargin.x * ssaoDepth;
 #endif
-    float ssaoOff = ssaoMargin.x * ssaoDepth + ssaoChange;
+    float ssaoOff = ssaoRounding + ssaoMargin.y * ssaoChange;
     vec4 ssaoWithin = ssaoBounds + vec4(ssaoOff, -ssaoOff, ssaoOff, -ssaoOff);
     // Its other side may lie in the very same place: a face that is there twice, wound both ways.
     float ssaoCoincident = ssaoFirst - 4.0 * ssaoOff;
