@@ -3,15 +3,11 @@
 // In parallel projection the distance of the camera changes nothing that is seen, so it does not
 // change visibility either.
 
-#include "vtkActor.h"
 #include "vtkCamera.h"
-#include "vtkCellArray.h"
-#include "vtkNew.h"
-#include "vtkOpenGLSphereMapper.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRenderer.h"
 #include "vtkSSAOStability.h"
+#include "vtkSSAOTestImpostors.h"
 #include "vtkSSAOTestMonitor.h"
 #include "vtkSSAOTestShapes.h"
 #include "vtkSSAOTestView.h"
@@ -50,24 +46,9 @@ void AddDoublyWoundPlate(vtkSSAOTestView& view)
 }
 
 //------------------------------------------------------------------------------
-void AddImpostors(vtkSSAOTestView& view)
+void AddSpheres(vtkSSAOTestView& view)
 {
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkCellArray> vertices;
-  for (vtkIdType i = 0; i < 5; ++i)
-  {
-    points->InsertNextPoint(-1.4 + 0.5 * i, 0.3, 0.75);
-    vertices->InsertNextCell(1, &i);
-  }
-  vtkNew<vtkPolyData> data;
-  data->SetPoints(points);
-  data->SetVerts(vertices);
-  vtkNew<vtkOpenGLSphereMapper> mapper;
-  mapper->SetInputData(data);
-  mapper->SetRadius(0.2F);
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  view.Renderer->AddActor(actor);
+  vtkSSAOTest::AddImpostors(view);
 }
 
 //------------------------------------------------------------------------------
@@ -161,6 +142,6 @@ int TestStableParallelDistance(int, char*[])
     test, "The same plate, 4 samples per pixel", AddDoublyWoundPlate, 4, FarthestPicture, 1.0);
   CompareTies(test,
     "Parallel projection, camera 10 R to 20,000 R away, spheres of vtkOpenGLSphereMapper",
-    AddImpostors, 0, FarthestImpostor, 2.0);
+    AddSpheres, 0, FarthestImpostor, 1.0);
   return test.GetResult();
 }

@@ -161,6 +161,10 @@ mutations()
     'depths begin at the near plane, not at the scene'
   m depths-from-camera vtkSSAOView.cxx 's/range\[0\] > thickness/range[0] > 1e30 * thickness/' \
     'depths are always counted from the camera'
+  m impostors-shifted vtkSSAOCapturePass.cxx 's/    if (geometryShader\.empty())/    if (true)/' \
+    'layers of impostors are moved in view coordinates'
+  m vtk-flat-normals vtkSSAOCapturePass.cxx 's/#define SSAO_FLAT/#define SSAO_NOT_FLAT/' \
+    'flat normals are those that VTK takes from positions'
   m facet-without-margin glsl/vtkSSAOPass0SliceFunctions.glsl \
     's/inverse > float(0\.01)/inverse > float(0.0)/' \
     'all that rounding lifts above the facet hides'
