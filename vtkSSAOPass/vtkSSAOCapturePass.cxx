@@ -119,7 +119,7 @@ bool MayExceedPicture(vtkActor* actor, double light)
 // Whether nothing that an actor draws needs to be told from the light that may be occluded: its
 // faces have that alone, in opaque pixels, and whatever else it draws has none. withHighlights:
 // highlights may be occluded.
-bool ShowsOccludableLightOnly(vtkActor* actor, bool withHighlights)
+bool HasOccludableLightOnly(vtkActor* actor, bool withHighlights)
 {
   vtkShaderProperty* shader = actor->GetShaderProperty();
   vtkProperty* faces[2] = { actor->GetProperty(), actor->GetBackfaceProperty() };
@@ -260,52 +260,62 @@ bool vtkSSAOCapturePass::CanCompile(const vtkSSAOView& view, bool layers)
 }
 
 //------------------------------------------------------------------------------
-bool vtkSSAOCapturePass::Capture(const vtkRenderState* s, const vtkSSAOView& view)
+void vtkSSAOCapturePass::Prepare(const vtkRenderState* s, vtkSSAOView& view)
 {
-  this->NumberOfRenderedProps = 0;
   this->Remainder.clear();
   this->Captured.clear();
-  bool mayExceed = false;
-  vtkRenderWindow* window = view.Window;
-  bool allOccludable = this->Weights.y > 0.0F || this->Weights.z > 0.0F;
-  allOccludable = allOccludable && view.Samples == 0 && !window->GetPointSmoothing() &&
-    !window->GetLineSmoothing() && !window->GetPolygonSmoothing();
-  const bool withHighlights = this->Weights.z > 0.0F;
-  const double light = TotalLight(view.Renderer);
   for (int i = 0; i < s->GetPropArrayCount(); ++i)
   {
     vtkProp* prop = s->GetPropArray()[i];
-    if (CanBeCaptured(prop))
-    {
-      this->Captured.push_back(prop);
-      mayExceed = mayExceed ||
-        !VisitActors(prop, [light](vtkActor* actor) { return !MayExceedPicture(actor, light); });
-      allOccludable = allOccludable &&
-        VisitActors(prop,
+    (CanBeCaptured(prop) ? this->Captured : this->Remainder).push_back(prop);
+  }
+  if (view.DepthOrigin > 0.0)
+  {
+    this->CountDepthsFromProps(view);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Whether the picture itself is the light that may be occluded, wherever a surface was captured.
+bool vtkSSAOCapturePass::ShowsOccludableLightOnly(const vtkSSAOView& view) const
+{
+  vtkRenderWindow* window = view.Window;
+  const bool withHighlights = this->Weights.z > 0.0F;
+  return (this->Weights.y > 0.0F || withHighlights) && view.Samples == 0 &&
+    !window->GetPointSmoothing() && !window->GetLineSmoothing() && !window->GetPolygonSmoothing() &&
+    std::all_of(this->Captured.begin(), this->Captured.end(),
+      [withHighlights](vtkProp* prop)
+      {
+        return VisitActors(prop,
           [withHighlights](vtkActor* actor)
           {
             // Translucent ones are drawn later.
-            return !actor->HasOpaqueGeometry() || ShowsOccludableLightOnly(actor, withHighlights);
+            return !actor->HasOpaqueGeometry() || HasOccludableLightOnly(actor, withHighlights);
           });
-    }
-    else
+      });
+}
+
+//------------------------------------------------------------------------------
+bool vtkSSAOCapturePass::Capture(const vtkRenderState* s, const vtkSSAOView& view)
+{
+  this->NumberOfRenderedProps = 0;
+  const double light = TotalLight(view.Renderer);
+  const bool mayExceed = std::any_of(this->Captured.begin(), this->Captured.end(),
+    [light](vtkProp* prop)
     {
-      this->Remainder.push_back(prop);
-    }
-  }
+      return !VisitActors(
+        prop, [light](vtkActor* actor) { return !MayExceedPicture(actor, light); });
+    });
 
   // Attachments: 0 the picture, 1 geometry, 2 occludable, 3 lit. Where the picture itself is the
   // light that may be occluded it is not captured once more.
-  mayExceed = mayExceed && view.Clamped;
-  const bool needsLight = this->Weights != glm::vec3(0.0F) && (mayExceed || !allOccludable);
-  this->Outputs = needsLight ? (mayExceed ? 4 : 3) : 2;
+  const bool hides = mayExceed && view.Clamped;
+  const bool needsLight =
+    this->Weights != glm::vec3(0.0F) && (hides || !this->ShowsOccludableLightOnly(view));
+  this->Outputs = needsLight ? (hides ? 4 : 3) : 2;
   this->Perspective = static_cast<float>(view.Projection.Perspective);
   this->DepthOfWindow = view.Projection.DepthOfWindow;
-  // Where depths do not begin at the camera the window's, linear then, have more digits than those
-  // of view coordinates.
-  const glm::dvec4& rows = view.Projection.DepthOfWindow;
-  this->MeshDepth = view.DepthOrigin > 0.0 ? glm::dvec3(0.0, -2.0 / rows.x, (1.0 + rows.y) / rows.x)
-                                           : glm::dvec3(1.0, 0.0, 0.0);
+  this->DepthOfClip = view.DepthOfClip;
   this->DepthOrigin = static_cast<float>(view.DepthOrigin);
   this->Surfaces = false;
 
@@ -316,6 +326,40 @@ bool vtkSSAOCapturePass::Capture(const vtkRenderState* s, const vtkSSAOView& vie
   }
   this->Detach(view, this->Outputs);
   return attached;
+}
+
+//------------------------------------------------------------------------------
+void vtkSSAOCapturePass::CountDepthsFromProps(vtkSSAOView& view)
+{
+  // VTK's clipping range is much deeper than what a far camera sees.
+  vtkCamera* camera = view.Renderer->GetActiveCamera();
+  vtkMatrix4x4* viewOfWorld = camera->GetModelViewTransformMatrix();
+  double nearest = std::numeric_limits<double>::max();
+  double farthest = -nearest;
+  bool known = !this->Captured.empty();
+  for (vtkProp* prop : this->Captured)
+  {
+    const double* bounds = prop->GetBounds();
+    known = known && bounds && VisitActors(prop, StaysWithinBounds);
+    for (int i = 0; i < 8 && known; ++i)
+    {
+      const double point[4] = { bounds[i & 1], bounds[2 + ((i >> 1) & 1)], bounds[4 + (i >> 2)],
+        1.0 };
+      double positionVC[4];
+      viewOfWorld->MultiplyPoint(point, positionVC);
+      known = std::isfinite(positionVC[2]);
+      nearest = std::min(nearest, -positionVC[2]);
+      farthest = std::max(farthest, -positionVC[2]);
+    }
+  }
+  const double* range = camera->GetClippingRange();
+  nearest = std::max(nearest, range[0]);
+  farthest = std::min(farthest, range[1]);
+  const double origin = nearest - std::max(farthest - nearest, 2.0 * camera->GetParallelScale());
+  if (known && origin > view.DepthOrigin)
+  {
+    view.CountDepthsFrom(origin);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -547,7 +591,7 @@ bool vtkSSAOCapturePass::PreReplaceShaderValues(std::string& /*vertexShader*/,
 
 //------------------------------------------------------------------------------
 bool vtkSSAOCapturePass::PostReplaceShaderValues(std::string& vertexShader,
-  std::string& /*geometryShader*/, std::string& fragmentShader, vtkAbstractMapper* mapper,
+  std::string& geometryShader, std::string& fragmentShader, vtkAbstractMapper* mapper,
   vtkProp* prop)
 {
   vtkActor* actor = vtkActor::SafeDownCast(prop);
@@ -563,10 +607,14 @@ bool vtkSSAOCapturePass::PostReplaceShaderValues(std::string& vertexShader,
     (pbr ||
       (Contains(fragmentShader, "vec3 diffuse =") && Contains(fragmentShader, "ambientColor")));
 
+  const bool clipVarying = lit && !impostor && geometryShader.empty();
+
   std::string declarations;
   declarations += this->Layers ? "#define SSAO_LAYERS\n" : "";
   declarations += lit ? "#define SSAO_LIT\n" : "";
   declarations += lit && pbr ? "#define SSAO_PBR\n" : "";
+  declarations += clipVarying ? "#define SSAO_CLIP_VARYING\n" : "";
+  declarations += Contains(fragmentShader, "cross(fdx,fdy)") ? "#define SSAO_FLAT\n" : "";
   declarations += sprite ? "#define SSAO_SPRITE\n" : "";
   declarations += impostor ? "#define SSAO_IMPOSTOR\n" : "";
   declarations += Contains(fragmentShader, "lengthVCVSOutput") ? "#define SSAO_STICK\n" : "";
@@ -583,19 +631,37 @@ bool vtkSSAOCapturePass::PostReplaceShaderValues(std::string& vertexShader,
   declarations += vtkSSAOPass0Functions;
   vtkShaderProgram::Substitute(
     fragmentShader, "void main()", declarations + "\nvoid main()", false);
+  // At the very end, behind all that may set the position.
+  const auto append = [](std::string& shader, const char* declaration, const std::string& text)
+  {
+    shader.insert(shader.rfind('}'), text);
+    vtkShaderProgram::Substitute(
+      shader, "void main()", std::string(declaration) + "\nvoid main()", false);
+  };
+  if (clipVarying)
+  {
+    append(vertexShader, "out float ssaoClipVSOutput;", "  ssaoClipVSOutput = gl_Position.z;\n");
+  }
+  if (this->Layers)
+  {
+    const char* declaration = "uniform vec4 ssaoDeviceOfScene;";
+    const std::string move = "  gl_Position.xy = gl_Position.xy * ssaoDeviceOfScene.xy +\n"
+                             "    gl_Position.w * ssaoDeviceOfScene.zw;\n";
+    if (geometryShader.empty())
+    {
+      append(vertexShader, declaration, move);
+    }
+    else
+    {
+      // Impostors have view coordinates before.
+      append(geometryShader, declaration, "");
+      vtkShaderProgram::Substitute(geometryShader, "EmitVertex();", move + "  EmitVertex();", true);
+    }
+  }
   if (lit && !impostor && !this->Layers)
   {
     vtkShaderProgram::Substitute(fragmentShader, "//VTK::UniformFlow::Impl",
       std::string(vtkSSAOPass1CaptureFacetFS) + "  //VTK::UniformFlow::Impl", false);
-  }
-  if (this->Layers)
-  {
-    // At the very end, behind all that may set the position.
-    vertexShader.insert(vertexShader.rfind('}'),
-      "  gl_Position.xy = gl_Position.xy * ssaoDeviceOfScene.xy +\n"
-      "    gl_Position.w * ssaoDeviceOfScene.zw;\n");
-    vtkShaderProgram::Substitute(
-      vertexShader, "void main()", "uniform vec4 ssaoDeviceOfScene;\nvoid main()", false);
   }
   if (lit && pbr)
   {
@@ -639,7 +705,7 @@ bool vtkSSAOCapturePass::SetShaderParameters(vtkShaderProgram* program,
   }
   program->SetUniform3f("ssaoOccludableWeights", &this->Weights[0]);
   program->SetUniform4f("ssaoDepthOfWindowRows", &this->DepthOfWindow[0]);
-  program->SetUniform3f("ssaoMeshDepth", &this->MeshDepth[0]);
+  program->SetUniform2f("ssaoDepthOfClip", &this->DepthOfClip[0]);
   program->SetUniformf("ssaoDepthOrigin", this->DepthOrigin);
   program->SetUniformf("ssaoPerspective", this->Perspective);
   return true;

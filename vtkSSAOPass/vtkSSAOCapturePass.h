@@ -62,6 +62,12 @@ public:
   bool CanCompile(const vtkSSAOView& view, bool layers);
 
   /**
+   * Find the props that can be captured. If depths of the view do not begin at the camera, let them
+   * begin near these, if it can be told where they are.
+   */
+  void Prepare(const vtkRenderState* s, vtkSSAOView& view);
+
+  /**
    * Draw the props that can be captured, and capture them. False if the textures could not be
    * attached: then nothing was drawn.
    */
@@ -144,6 +150,8 @@ private:
   vtkSSAOCapturePass(const vtkSSAOCapturePass&) = delete;
   void operator=(const vtkSSAOCapturePass&) = delete;
 
+  void CountDepthsFromProps(vtkSSAOView& view);
+  bool ShowsOccludableLightOnly(const vtkSSAOView& view) const;
   bool Attach(const vtkSSAOView& view, unsigned int outputs);
   void Detach(const vtkSSAOView& view, unsigned int outputs);
   void RenderHooked(const vtkRenderState* s, bool layers);
@@ -153,7 +161,7 @@ private:
   std::array<bool, 2> Compiles = {}; // known to, by CanCompile
   glm::vec3 Weights = glm::vec3(0.0F);
   glm::vec4 DepthOfWindow = glm::vec4(0.0F);
-  glm::vec3 MeshDepth = glm::vec3(0.0F);
+  glm::vec2 DepthOfClip = glm::vec2(0.0F);
   float DepthOrigin = 0.0F;
   float Perspective = 1.0F;
   bool Surfaces = false;

@@ -51,7 +51,7 @@ public:
   /**
    * The view of tile and margin. It is not valid if the framebuffer could not be made.
    */
-  const vtkSSAOView& GetView() const { return *this->View; }
+  vtkSSAOView& GetView() { return *this->View; }
 
   /**
    * The tile's part of a texture of the view, as a texture with the tile's pixel coordinates.

@@ -13,8 +13,6 @@
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
-#include <glm/mat4x4.hpp>
-
 namespace
 {
 //------------------------------------------------------------------------------
@@ -47,6 +45,8 @@ vtkSSAOView::vtkSSAOView(const vtkRenderState* state)
   , Samples(0)
   , Clamped(true)
   , DepthOrigin(0.0)
+  , DepthOfClip(0.0)
+  , ClipOfView(1.0)
 {
   if (!this->Window)
   {
@@ -102,22 +102,32 @@ vtkSSAOView::vtkSSAOView(const vtkRenderState* state)
   vtkMatrix4x4* clipOfView = nullptr;
   vtkMatrix4x4* clipOfWorld = nullptr;
   camera->GetKeyMatrices(this->Renderer, viewOfWorld, normals, clipOfView, clipOfWorld);
-  glm::dmat4 matrix;
   for (int column = 0; column < 4; ++column)
   {
     for (int row = 0; row < 4; ++row)
     {
-      matrix[column][row] = clipOfView->GetElement(column, row);
+      this->ClipOfView[column][row] = clipOfView->GetElement(column, row);
     }
   }
   const double* range = camera->GetClippingRange();
   const double thickness = range[1] - range[0];
-  if (camera->GetParallelProjection() && range[0] > thickness)
+  const bool narrow = range[0] > thickness;
+  // Depths from once to twice the thickness: positive, and none much finer than another.
+  this->CountDepthsFrom(narrow && camera->GetParallelProjection() ? range[0] - thickness : 0.0);
+  if (narrow)
   {
-    // Depths from once to twice the thickness: positive, and none much finer than another.
-    this->DepthOrigin = range[0] - thickness;
-    matrix[3] -= matrix[2] * this->DepthOrigin;
+    const glm::dvec2 row(this->Projection.DepthOfWindow);
+    this->DepthOfClip = glm::dvec2(-1.0, row.y) / row.x;
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkSSAOView::CountDepthsFrom(double origin)
+{
+  this->DepthOfClip.y += this->DepthOrigin - origin;
+  this->DepthOrigin = origin;
+  glm::dmat4 matrix(this->ClipOfView);
+  matrix[3] -= matrix[2] * origin;
   this->Projection = vtkSSAOProjection::FromMatrix(matrix, this->Viewport);
 }
 

@@ -11,6 +11,7 @@
 
 #include "vtkSSAOProjection.h"
 
+#include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
@@ -46,6 +47,11 @@ public:
    */
   vtkSSAOView Coarse(int edge) const;
 
+  /**
+   * Set DepthOrigin, and the projection with it.
+   */
+  void CountDepthsFrom(double origin);
+
   vtkRenderer* Renderer;
   vtkOpenGLRenderWindow* Window;
   vtkOpenGLFramebufferObject* Framebuffer; ///< draws the scene
@@ -65,7 +71,14 @@ public:
    */
   double DepthOrigin;
 
+  /**
+   * (scale, offset): captured depth of a clip coordinate z. 0 where z in view coordinates is as
+   * good.
+   */
+  glm::dvec2 DepthOfClip;
+
 private:
+  glm::dmat4 ClipOfView;
   const char* Reason = nullptr;
 };
 

@@ -425,6 +425,7 @@ int vtkScreenSpaceAmbientOcclusionPass::RenderOpaqueWithOcclusion(const vtkRende
   {
     this->FindVisibilityOfTile(view);
   }
+  stages.Capture->Prepare(s, view);
   if (!this->CaptureSurfaces(s, view))
   {
     this->Fail("A shader or framebuffer of the capture");
@@ -495,9 +496,10 @@ void vtkScreenSpaceAmbientOcclusionPass::FindVisibilityOfTile(const vtkSSAOView&
   Pipeline& stages = *this->Stages;
   const vtkSSAOOcclusionSettings settings = vtkSSAOOcclusionSettings::Of(this);
   vtkSSAOTileMargin margin(tile, stages.EffectiveRadius, settings.Downsampling * this->NoiseSize);
-  const vtkSSAOView& view = margin.GetView();
+  vtkSSAOView& view = margin.GetView();
   const vtkRenderState* s = margin.GetState();
   stages.Capture->SetOccludableWeights(glm::vec3(0.0F));
+  stages.Capture->Prepare(s, view);
   if (!view.IsValid() || !stages.Capture->CanCompile(view, false) ||
     !stages.Capture->Capture(s, view))
   {
@@ -641,7 +643,8 @@ bool vtkScreenSpaceAmbientOcclusionPass::ModulateLight(const vtkSSAOView& view)
 void vtkScreenSpaceAmbientOcclusionPass::DisplayBuffers(const vtkRenderState* s)
 {
   Pipeline& stages = *this->Stages;
-  const vtkSSAOView view(s);
+  vtkSSAOView view(s);
+  view.CountDepthsFrom(stages.DepthOrigin);
   if (view.IsValid() && stages.Geometry && stages.Visibility)
   {
     stages.Display.Render(

@@ -88,7 +88,7 @@ void TestPlate(vtkSSAOTestMonitor& test)
       view.SetPreset(preset);
       const ErrorOfV error = ErrorAlongFloor(view, plate, -2.5, 2.0, radius);
       // 6 or 12 samples to a side are up to a third or a sixth of the radius apart, as wide as the
-      // strip of the plate in the picture is at that distance.
+      // strip of the plate in the picture is at that distance: some sides miss it. Met: .106.
       test.ExpectAtMost(error.Largest, 0.12,
         what + vtkSSAOTestView::GetPresetName(preset) + ": largest difference of V from rays");
       test.ExpectNear(error.Bias, 0.0, 0.05,
@@ -141,11 +141,11 @@ void TestSolidBodies(vtkSSAOTestMonitor& test)
       }
       const std::string what =
         (kind == 1 ? "A box within a box" : "Two boxes that overlap") + where + ", against one: ";
-      // At silhouettes a ray may meet one face of an edge and not the other; 1 % of the pixels.
       test.ExpectAtMost(vtkSSAOMeanDifference(v, alone), 2.0e-4, what + "mean difference of V");
       const vtkSSAOStatistics beyond = vtkSSAOMeasure(
         v, [&](int x, int y) { return std::abs(v.At(x, y) - alone.At(x, y)) > 2.0 / 255.0; });
-      test.ExpectAtMost(beyond.Count / double(v.Values.size()), 0.006,
+      // None here; by other roundings a ray may meet one face of an edge and not the other.
+      test.ExpectAtMost(beyond.Count / double(v.Values.size()), 0.001,
         what + "share of pixels that differ by more than 2/255");
     }
   }
@@ -276,8 +276,8 @@ void TestImpostors(vtkSSAOTestMonitor& test)
       view.Pass->SetRadius(0.5);
       images[kind] = view.Visibility();
     }
-    // 96 x 64 quads are up to 0.1 % of the radius within the sphere.
-    test.ExpectAtMost(vtkSSAOMeanDifference(images[0], images[1]), 0.005,
+    // 96 x 64 quads are up to 0.1 % of the radius within the sphere: 0.0004; 400 x 266: 0.00007.
+    test.ExpectAtMost(vtkSSAOMeanDifference(images[0], images[1]), 0.001,
       std::string("Impostors against spheres of triangles, ") +
         (parallel ? "parallel" : "perspective") + ": mean difference of V");
   }
@@ -368,8 +368,9 @@ void TestMultiSampled(vtkSSAOTestMonitor& test)
     other += std::abs(a - b) > 1.0e-3F * std::abs(a) ? 1 : 0;
   }
   // Silhouettes: there the surface of another sample may be taken than the one at the pixel's
-  // centre. Without the margin that keeps a surface from being its own next layer it was 0.18.
-  test.ExpectAtMost(other / double(surfaces), 0.1,
+  // centre, 0.3 % of the pixels. Without the margin that keeps a surface from being its own next layer
+  // it was 18 %.
+  test.ExpectAtMost(other / double(surfaces), 0.01,
     "4 samples: share of the pixels whose first solid ends elsewhere than without samples");
 }
 

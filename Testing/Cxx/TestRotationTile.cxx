@@ -83,6 +83,7 @@ int TestRotationTile(int, char*[])
       view.Pass->SetDenoiserToNone();
       const vtkSSAOTestImage noisy = view.Visibility();
       const double before = PatternAmplitude(noisy, left, bottom, size, period);
+      // About half of the smallest, so that there is something to take away.
       test.ExpectAtLeast(before, 0.004, what + "pattern without a denoiser");
       for (int denoiser : { 1, 4 })
       {
@@ -91,15 +92,17 @@ int TestRotationTile(int, char*[])
         const vtkSSAOTestImage v = view.Visibility();
         const double after = PatternAmplitude(
           v, left, bottom, size, denoiser == 1 ? period : period * view.Pass->GetDownsampling());
-        // The mean over a tile takes a pattern away but for what the shade changes within it.
-        // The interpolation between estimated pixels leaves its kinks, with their period.
+        // The mean over a tile takes a pattern away but for what the shade changes within it. The
+        // interpolation between estimated pixels leaves its kinks, with their period: 1.5e-4 of V,
+        // which is .02 of the smallest pattern, that of Accurate.
         test.ExpectAtMost(after / before, denoiser == 1 ? 0.02 : 0.025,
           name + ", share of the pattern that is left");
         const auto inside = [=](int x, int y)
         { return x >= left && x < left + size && y >= bottom && y < bottom + size; };
         // Box with an even tile is half a pixel off: .5 / 72 of the difference of V between the
-        // ends of the rectangle, up to .45.
-        test.ExpectNear(vtkSSAOMeasure(v, inside).Mean, vtkSSAOMeasure(noisy, inside).Mean, 0.004,
+        // ends of the rectangle, up to .45: .0031. EdgeAware takes pixels of the border for those
+        // beyond it and weighs by certainty: .0019.
+        test.ExpectNear(vtkSSAOMeasure(v, inside).Mean, vtkSSAOMeasure(noisy, inside).Mean, 0.0035,
           name + ", mean V");
         if (corner)
         {

@@ -34,8 +34,10 @@ mutations()
   m radius-doubled "$stage" 's/SetUniformf("radius", /&2.0F * /' \
     'twice the radius'
   m samples-8-for-64 "$stage" \
-    's/SetUniformi("kernelSize", settings\.KernelSize)/SetUniformi("kernelSize", (settings.KernelSize + 7) \/ 8)/' \
-    'an eighth of the samples'
+    's/SetUniformi("samplesInKernel", settings\.KernelSize)/SetUniformi("samplesInKernel", (settings.KernelSize + 7) \/ 8)/' \
+    'an eighth of the samples of a kernel'
+  m half-the-steps "$stage" 's/SetUniformi("steps", settings\.Steps)/SetUniformi("steps", (settings.Steps + 1) \/ 2)/' \
+    'half of the samples of a slice'
   m bias-times-10 "$stage" 's/SetUniformf("bias", /&10.0F * /' \
     'ten times the bias'
   m normals-flipped glsl/vtkSSAOPass1CaptureOutputFS.glsl \
@@ -69,10 +71,10 @@ mutations()
     's/vec3 tangent = random - normal \* dot(random, normal);/vec3 tangent = random;/' \
     'no Gram-Schmidt step'
   m rotation-removed glsl/vtkSSAOPass2OcclusionFS.glsl \
-    's/(pixel - viewport\.xy) \/ noiseSize/vec2(0.0)/' \
+    's/(pixel - viewport\.xy) \/ (noiseSize/vec2(0.0) \/ (noiseSize/' \
     'one rotation for all pixels'
   m rotation-by-window glsl/vtkSSAOPass2OcclusionFS.glsl \
-    's/(pixel - viewport\.xy) \/ noiseSize/pixel \/ noiseSize/' \
+    's/(pixel - viewport\.xy) \/ (noiseSize/pixel \/ (noiseSize/' \
     'the tile starts at the corner of the window'
   m kernel-not-accelerating vtkSSAOKernel.cxx 's/0\.9 \* share \* share/0.9 * share/' \
     'lengths grow linearly'
@@ -80,7 +82,7 @@ mutations()
     'rotations over half of the circle'
   m automatic-radius-doubled "$pass" 's/: 0\.1 \* DiagonalOfOpaqueProps/: 0.2 * DiagonalOfOpaqueProps/' \
     'a fifth of the diagonal'
-  m presets-exchanged "$pass" 's/SetQuality(16)/SetQuality(64)/' \
+  m presets-exchanged "$pass" 's/SetQuality(ExactHorizon, 1, 8, 4, false)/SetQuality(LayeredBitmask, 4, 12, 3, true)/' \
     'Fast is Accurate'
 
   # projection
@@ -121,7 +123,7 @@ mutations()
     's/float powered = pow(\(.*\), power);/float powered = \1;/' \
     'always power 1'
   m blending-left-over vtkSSAOModulateStage.cxx \
-    '/vtkglBlendEquationSeparate(GL_FUNC_ADD, GL_FUNC_ADD)/d' \
+    's/const vtkSSAOScopedBlendEquation blendEquationSaver(state);//' \
     'OpenGL goes on subtracting'
 
   # buffers
@@ -135,7 +137,7 @@ mutations()
   m texture-leaked vtkSSAOFullScreenStage.cxx \
     '/ReleaseGraphicsResources(vtkWindow/,/^}/s/this->Output = nullptr;/this->Output->Register(nullptr);/;/ReleaseGraphicsResources(vtkWindow/,/^}/s/this->Output->ReleaseGraphicsResources(window);//' \
     'a texture stays behind'
-  m texture-not-resized vtkSSAOFullScreenStage.cxx '/texture->Resize(size\.x, size\.y);/d' \
+  m texture-not-resized vtkSSAOFullScreenStage.cxx '/(\*texture)->Resize(size\.x, size\.y);/d' \
     'a larger window finds the old texture'
 
   # parameters
@@ -151,11 +153,18 @@ mutations()
   # stability
   m absolute-length glsl/vtkSSAOPass0SliceFunctions.glsl 's/float(1\.0e-30)));/float(1.0e-9)));/' \
     'distances below 3e-5 world units are not told apart'
-  m window-depth glsl/vtkSSAOPass1CaptureDeclarationsFS.glsl \
-    's/(ssaoDepthOrigin > 0\.0 /(ssaoDepthOrigin >= 0.0 /' \
-    'depths are always those of the depth buffer'
+  m clip-depth vtkSSAOView.cxx 's/  if (narrow)/  if (true)/' \
+    'depths are always those of the clip coordinates'
+  m view-depth vtkSSAOView.cxx 's/  if (narrow)/  if (false)/' \
+    'depths are always those of the view coordinates'
+  m depths-from-near-plane vtkSSAOCapturePass.cxx 's/if (known \&\& origin > /if (false \&\& origin > /' \
+    'depths begin at the near plane, not at the scene'
   m depths-from-camera vtkSSAOView.cxx 's/range\[0\] > thickness/range[0] > 1e30 * thickness/' \
     'depths are always counted from the camera'
+  m impostors-shifted vtkSSAOCapturePass.cxx 's/    if (geometryShader\.empty())/    if (true)/' \
+    'layers of impostors are moved in view coordinates'
+  m vtk-flat-normals vtkSSAOCapturePass.cxx 's/#define SSAO_FLAT/#define SSAO_NOT_FLAT/' \
+    'flat normals are those that VTK takes from positions'
   m facet-without-margin glsl/vtkSSAOPass0SliceFunctions.glsl \
     's/inverse > float(0\.01)/inverse > float(0.0)/' \
     'all that rounding lifts above the facet hides'

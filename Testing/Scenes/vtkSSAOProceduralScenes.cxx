@@ -305,7 +305,7 @@ vtkSmartPointer<vtkPolyData> MakeGear(const Gear& gear)
 {
   const int sides = 8 * gear.Teeth;
   const double pitchRadius = PitchRadius(gear.Teeth);
-  const auto teeth = [&gear, sides, pitchRadius](double angle)
+  const auto teeth = [sides, pitchRadius](double angle)
   {
     constexpr double profile[8] = { -0.2, -0.2, -0.2, -0.02, 0.16, 0.16, 0.16, -0.02 };
     return pitchRadius + profile[std::lround(angle * sides / glm::two_pi<double>()) % 8];

@@ -21,6 +21,17 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtkVersion.h"
 
+// Including a header of each registers its OpenGL classes; the programs are not told of them.
+#if __has_include("vtkDomainsChemistryModule.h")
+#include "vtkDomainsChemistryModule.h"
+#endif
+#if __has_include("vtkRenderingContext2DModule.h")
+#include "vtkRenderingContext2DModule.h"
+#endif
+#if __has_include("vtkRenderingVolumeModule.h")
+#include "vtkRenderingVolumeModule.h"
+#endif
+
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>

@@ -2,10 +2,21 @@
 uniform vec3 ssaoOccludableWeights; // of the ambient, the diffuse and the whole colour
 uniform vec4 ssaoDepthOfWindowRows; // rows 2 and 3 of the projection, see ssaoDepthOfWindow
 uniform float ssaoDepthOrigin;      // how far in front of the camera depths begin, world units
+uniform vec2 ssaoDepthOfClip;       // (scale, offset): depth of a clip coordinate z; 0: take that of VC
 uniform float ssaoPerspective;      // 1: perspective, 0: parallel projection
 uniform float ssaoFrontSign;        // -1: the actor's transform mirrors, front and back are swapped
-uniform vec3 ssaoMeshDepth;         // a mesh's depth is this times (depth in VC, in the window, 1)
-#define SSAO_MESH_DEPTH dot(ssaoMeshDepth, vec3(-vertexVC.z, gl_FragCoord.z, 1.0))
+// Far from the camera z of the clip coordinates has digits that z in VC has lost: it is about 0 in the
+// middle of the clipping range. A geometry shader passes it on in the fragment's position alone.
+#if defined(SSAO_CLIP_VARYING)
+in float ssaoClipVSOutput;
+#define SSAO_CLIP ssaoClipVSOutput
+#else
+#define SSAO_CLIP ((gl_FragCoord.z * 2.0 - 1.0) / gl_FragCoord.w)
+#endif
+// Without the offset, for differences.
+#define SSAO_MESH_RELATIVE_DEPTH \
+  (ssaoDepthOfClip.x != 0.0 ? SSAO_CLIP * ssaoDepthOfClip.x : -vertexVC.z)
+#define SSAO_MESH_DEPTH (SSAO_MESH_RELATIVE_DEPTH + ssaoDepthOfClip.y)
 #if defined(SSAO_LAYERS)
 #define SSAO_NONE 1.0e30
 uniform sampler2D ssaoLayersBefore; // first round: the captured geometry, later: the layers before

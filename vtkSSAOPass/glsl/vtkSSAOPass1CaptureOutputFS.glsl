@@ -35,6 +35,9 @@
     vec3 ssaoFacet = dot(abs(ssaoFacetVC), vec3(1.0)) > 0.0 ? ssaoFacetVC : ssaoNormal;
 #endif
     ssaoFacet = dot(ssaoFacet, ssaoViewer) < 0.0 ? -ssaoFacet : ssaoFacet;
+#if defined(SSAO_FLAT)
+    ssaoNormal = ssaoFacet; // VTK's is of positions that lose digits far from the camera
+#endif
     ssaoNormal = dot(ssaoNormal, ssaoNormal) > 0.25 ? ssaoNormal : ssaoFacet;
     // A normal that looks away from the viewer and from the facet belongs to a face wound the other
     // way. The facet alone is not trusted: on slivers below a pixel its derivatives are noise.

@@ -45,8 +45,11 @@ vec3 ssaoJoin(vec3 arc, vec3 before, float reach)
 int ssaoSectorsOf(
   vec3 arc, float normalCosine, float normalSine, float sectorsPerMeasure, float dither)
 {
-  float first = ssaoArcMeasureNear(arc.y, normalCosine, normalSine) * sectorsPerMeasure + dither;
-  float end = ssaoArcMeasureNear(arc.z, normalCosine, normalSine) * sectorsPerMeasure + dither;
+  // Where next to nothing is open the measure is off by more than that: there are no other sectors.
+  float first = clamp(ssaoArcMeasureNear(arc.y, normalCosine, normalSine) * sectorsPerMeasure,
+    float(0.0), float(30.0)) + dither;
+  float end = clamp(ssaoArcMeasureNear(arc.z, normalCosine, normalSine) * sectorsPerMeasure,
+    float(0.0), float(30.0)) + dither;
   return arc.x > float(0.0) ? (1 << int(end)) - (1 << int(first)) : 0;
 }
 
