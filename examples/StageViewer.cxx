@@ -20,6 +20,8 @@
 #include <vtkWindowToImageFilter.h>
 #include <vtkXMLPolyDataReader.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <iostream>
 #include <string>
@@ -56,11 +58,11 @@ bool Write(vtkImageData* picture, const std::string& folder, const std::string& 
   return writer->GetErrorCode() == 0;
 }
 
-/// How many stretches inside solids are known of the ray of each estimated pixel: white is none,
-/// black is four.
-vtkSmartPointer<vtkImageData> CountSolids(Pass* pass)
+/// How much of the ray of each estimated pixel lies inside solids: white is nothing, black is two
+/// radii or more.
+vtkSmartPointer<vtkImageData> DrawSolids(Pass* pass)
 {
-  vtkNew<vtkImageData> solids; // front and back of each stretch; both 0: there is none
+  vtkNew<vtkImageData> solids; // depths of front and back of up to four stretches, else 0
   auto picture = vtkSmartPointer<vtkImageData>::New();
   if (pass->GetSolids(solids))
   {
@@ -70,12 +72,13 @@ vtkSmartPointer<vtkImageData> CountSolids(Pass* pass)
     auto* grey = static_cast<unsigned char*>(picture->GetScalarPointer());
     for (vtkIdType i = 0; i < solids->GetNumberOfPoints(); ++i, value += 8)
     {
-      int count = 0;
+      double inside = 0.0;
       for (int stretch = 0; stretch < 4; ++stretch)
       {
-        count += value[2 * stretch] != 0.0F || value[2 * stretch + 1] != 0.0F ? 1 : 0;
+        inside += value[2 * stretch + 1] - std::abs(value[2 * stretch]);
       }
-      grey[i] = static_cast<unsigned char>(255 - 63 * count);
+      const double share = inside / (2.0 * pass->GetEffectiveRadius());
+      grey[i] = static_cast<unsigned char>(255.0 * (1.0 - std::clamp(share, 0.0, 1.0)));
     }
   }
   return picture;
@@ -133,6 +136,6 @@ int main(int argc, char* argv[])
     picture->Update();
     written = Write(picture->GetOutput(), folder, stage.Name) && written;
   }
-  written = Write(CountSolids(pass), folder, SolidsName) && written;
+  written = Write(DrawSolids(pass), folder, SolidsName) && written;
   return written ? EXIT_SUCCESS : EXIT_FAILURE;
 }
