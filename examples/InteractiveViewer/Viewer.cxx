@@ -275,7 +275,7 @@ void Viewer::ToggleTruth()
     this->Truth.Start(this->Renderer, this->Pass);
     if (this->Timer == 0)
     {
-      this->Timer = this->Interactor->CreateRepeatingTimer(ProgressPeriod);
+      this->Timer = this->Interactor->CreateOneShotTimer(ProgressPeriod);
     }
   }
   else
@@ -285,15 +285,13 @@ void Viewer::ToggleTruth()
 }
 
 //------------------------------------------------------------------------------
-void Viewer::FollowTracing()
+void Viewer::FollowTracing(vtkObject*, unsigned long, void* timer)
 {
-  if (this->Timer != 0)
+  if (timer && *static_cast<int*>(timer) == this->Timer)
   {
-    if (!this->Truth.IsTracing())
-    {
-      this->Interactor->DestroyTimer(this->Timer);
-      this->Timer = 0;
-    }
+    // One after the other: VTK's window for X crashes if a timer is destroyed while it fires.
+    this->Timer =
+      this->Truth.IsTracing() ? this->Interactor->CreateOneShotTimer(ProgressPeriod) : 0;
     this->Interactor->Render();
   }
 }

@@ -61,7 +61,7 @@ private:
   std::string DescribeCost(vtkScreenSpaceAmbientOcclusionPass* pass, double seconds) const;
   void BeforeFrame();
   void AfterFrame();
-  void FollowTracing();
+  void FollowTracing(vtkObject* interactor, unsigned long event, void* timer);
 
   vtkRenderWindow* Window;
   vtkRenderer* Renderer;
