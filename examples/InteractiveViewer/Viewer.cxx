@@ -88,7 +88,12 @@ Viewer::Viewer(vtkRenderWindow* window, vtkRenderer* renderer, int preset, doubl
   // Of the scene's renderer, so that the panel, which is drawn after it, tells of the same frame.
   this->Observers[0] = renderer->AddObserver(vtkCommand::StartEvent, this, &Viewer::BeforeFrame);
   this->Observers[1] = renderer->AddObserver(vtkCommand::EndEvent, this, &Viewer::AfterFrame);
-  this->Interactor->AddObserver(vtkCommand::TimerEvent, this, &Viewer::FollowTracing);
+  // Passive: while the mouse button is held, others get no events.
+  this->TimerCommand->SetClientData(this);
+  this->TimerCommand->SetCallback([](vtkObject*, unsigned long, void* viewer, void* timer)
+    { static_cast<Viewer*>(viewer)->FollowTracing(static_cast<int*>(timer)); });
+  this->TimerCommand->PassiveObserverOn();
+  this->Interactor->AddObserver(vtkCommand::TimerEvent, this->TimerCommand);
 }
 
 //------------------------------------------------------------------------------
@@ -216,6 +221,7 @@ bool Viewer::UseKey(char key)
   }
   this->Controls->Refresh();
   this->Interactor->Render();
+  this->WatchTracing(this->Truth.IsTracing());
   return true;
 }
 
@@ -273,10 +279,6 @@ void Viewer::ToggleTruth()
   else if (TruthError::IsAvailable())
   {
     this->Truth.Start(this->Renderer, this->Pass);
-    if (this->Timer == 0)
-    {
-      this->Timer = this->Interactor->CreateOneShotTimer(ProgressPeriod);
-    }
   }
   else
   {
@@ -285,14 +287,25 @@ void Viewer::ToggleTruth()
 }
 
 //------------------------------------------------------------------------------
-void Viewer::FollowTracing(vtkObject*, unsigned long, void* timer)
+void Viewer::WatchTracing(bool tracing)
 {
-  if (timer && *static_cast<int*>(timer) == this->Timer)
+  if (tracing && this->Timer == 0)
   {
-    // One after the other: VTK's window for X crashes if a timer is destroyed while it fires.
-    this->Timer =
-      this->Truth.IsTracing() ? this->Interactor->CreateOneShotTimer(ProgressPeriod) : 0;
+    this->Timer = this->Interactor->CreateOneShotTimer(ProgressPeriod);
+  }
+}
+
+//------------------------------------------------------------------------------
+void Viewer::FollowTracing(const int* timer)
+{
+  if (timer && *timer == this->Timer)
+  {
+    // One after the other: the interactor for X crashes if a repeating one is destroyed while it
+    // fires.
+    this->Timer = 0;
+    const bool tracing = this->Truth.IsTracing();
     this->Interactor->Render();
+    this->WatchTracing(tracing);
   }
 }
 

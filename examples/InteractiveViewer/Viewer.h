@@ -10,6 +10,7 @@
 #include "Presets.h"
 #include "TruthError.h"
 
+#include <vtkCallbackCommand.h>
 #include <vtkNew.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
@@ -61,7 +62,8 @@ private:
   std::string DescribeCost(vtkScreenSpaceAmbientOcclusionPass* pass, double seconds) const;
   void BeforeFrame();
   void AfterFrame();
-  void FollowTracing(vtkObject* interactor, unsigned long event, void* timer);
+  void WatchTracing(bool tracing);
+  void FollowTracing(const int* timer);
 
   vtkRenderWindow* Window;
   vtkRenderer* Renderer;
@@ -76,6 +78,7 @@ private:
   std::string Cost;    // of the last frame whose visibility was estimated
   std::unique_ptr<Panel> Controls;
   unsigned long Observers[2];
+  vtkNew<vtkCallbackCommand> TimerCommand;
   int Timer = 0;           // while the truth is traced
   double FrameStart = 0.0; // seconds
 };
