@@ -17,11 +17,10 @@
 #include <vtkActor.h>
 #include <vtkCubeSource.h>
 #include <vtkNew.h>
-#include <vtkPNGWriter.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkSphereSource.h>
-#include <vtkWindowToImageFilter.h>
+#include <vtksys/SystemTools.hxx>
 
 #include <cstdlib>
 #include <cstring>
@@ -41,7 +40,13 @@ struct Replay
   std::string Picture; // empty: none
 };
 
-std::vector<Option> MakeOptions(Settings& s, Replay& replay)
+struct Quality
+{
+  int Preset = 2; // of viewer::GetPresets()
+  double FrameRate = 15.0;
+};
+
+std::vector<Option> MakeOptions(Settings& s, Quality& quality, Replay& replay)
 {
   const auto setSize = [&s](const std::string& text)
   {
@@ -55,6 +60,12 @@ std::vector<Option> MakeOptions(Settings& s, Replay& replay)
   };
   const auto setLook = [&s](const vtkVector3d& v) { s.Look = v; };
   const auto setColor = [&s](const vtkVector3d& v) { s.Color = v; };
+  Choices presets;
+  for (const viewer::Preset& preset : viewer::GetPresets())
+  {
+    presets.emplace_back(
+      vtksys::SystemTools::LowerCase(preset.Name), static_cast<int>(presets.size()));
+  }
   return {
     { "Options", "", {}, "", "" },
     { "--size", "WxH", { "each 16 to 8192", setSize }, "Size of the window, pixels.", "800x600" },
@@ -62,6 +73,13 @@ std::vector<Option> MakeOptions(Settings& s, Replay& replay)
       "-0.5,0.8,-0.5; glTF -0.5,-0.5,-0.8" },
     { "--color", "R,G,B", Vector(0.0, 1.0, setColor), "Colour of the mesh.",
       "the file's own, else 0.85,0.83,0.8" },
+    { "--quality", "NAME", Choice(presets, [&quality](int preset) { quality.Preset = preset; }),
+      "Preset at first, while the camera stands still.", "accurate" },
+    { "--frame-rate", "F", Number(0.001, 1e6, quality.FrameRate),
+      "Frames per second to keep while the camera moves: by the preset fast, and by less where "
+      "that "
+      "takes too long.",
+      "15" },
     { "--script", "FILE", String(replay.Script),
       "Play the events in FILE, which is as vtkInteractorEventRecorder writes it, and end.", "" },
     { "--picture", "FILE", String(replay.Picture),
@@ -105,25 +123,13 @@ void AddStillLife(vtkRenderer* renderer)
   AddShape(renderer, floor, 0.85, 0.83, 0.8);
 }
 
-void WritePicture(vtkRenderWindow* window, const std::string& file)
-{
-  vtkNew<vtkWindowToImageFilter> grab;
-  grab->SetInput(window);
-  grab->ReadFrontBufferOff();
-  grab->ShouldRerenderOff();
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetInputConnection(grab->GetOutputPort());
-  writer->SetFileName(file.c_str());
-  writer->Write();
-  CheckMessages("cannot write " + Quoted(file));
-}
-
 void Run(const std::vector<std::string>& words)
 {
   Settings settings;
   settings.Quiet = true;
+  Quality quality;
   Replay replay;
-  const std::vector<Option> options = MakeOptions(settings, replay);
+  const std::vector<Option> options = MakeOptions(settings, quality, replay);
   const std::vector<std::string> files = ParseCommandLine(words, options);
   if (settings.Help)
   {
@@ -167,7 +173,7 @@ void Run(const std::vector<std::string>& words)
   }
   FrameScene(settings, scene);
 
-  viewer::Viewer viewer(scene.Window, scene.Renderer);
+  viewer::Viewer viewer(scene.Window, scene.Renderer, quality.Preset, quality.FrameRate);
   viewer.Open();
   CheckMessages("drawing failed");
   if (!replay.Script.empty())
@@ -181,7 +187,7 @@ void Run(const std::vector<std::string>& words)
   CheckMessages("drawing failed");
   if (!replay.Picture.empty())
   {
-    WritePicture(scene.Window, replay.Picture);
+    viewer.WritePicture(replay.Picture);
   }
   std::cout << viewer.GetState();
 }

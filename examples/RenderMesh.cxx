@@ -225,7 +225,8 @@ std::vector<Option> PassOptions(Pass* pass)
     { "--intensity-scale", "F", Number(0.0, 10.0, [=](double f) { pass->SetIntensityScale(f); }),
       "Multiplies the occlusion, as in vtkSSAOPass.", Text(pass->GetIntensityScale()) },
     { "--intensity-shift", "F", Number(-1.0, 1.0, [=](double f) { pass->SetIntensityShift(f); }),
-      "Is added to the occlusion, as in vtkSSAOPass.", Text(pass->GetIntensityShift()) },
+      "Is taken from the occlusion before it is scaled, as in vtkSSAOPass.",
+      Text(pass->GetIntensityShift()) },
   };
 }
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * What happens inside the pass: one picture per stage, numbered in the order of the pipeline.
- * StageViewer [mesh.vtp [folder]]
+ * StageViewer [mesh.vtp [folder [width in pixels]]]
  */
 #include <vtkActor.h>
 #include <vtkCamera.h>
+#include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPNGWriter.h>
 #include <vtkParametricBoy.h>
@@ -15,31 +16,73 @@
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkScreenSpaceAmbientOcclusionPass.h>
+#include <vtkSmartPointer.h>
 #include <vtkWindowToImageFilter.h>
 #include <vtkXMLPolyDataReader.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <iostream>
 #include <string>
 
 using Pass = vtkScreenSpaceAmbientOcclusionPass;
 
-/// A stage is seen through an output mode; the raw occlusion is the one that is not denoised.
+/// A stage is seen through an output mode, with those after it switched off.
 struct Stage
 {
   const char* Name;
   Pass::OutputModeType OutputMode;
   bool Denoised;
+  bool Refined;
 };
 
 const Stage Stages[] = {
-  { "1_unoccluded", Pass::Unoccluded, true },
-  { "2_depth", Pass::Depth, true },
-  { "3_normal", Pass::Normal, true },
-  { "4_occlusion_raw", Pass::Occlusion, false },
-  { "5_occlusion_denoised", Pass::Occlusion, true },
-  { "6_composite", Pass::Composite, true },
+  { "1_unoccluded", Pass::Unoccluded, true, true },
+  { "2_depth", Pass::Depth, true, true },
+  { "3_normal", Pass::Normal, true, true },
+  { "5_occlusion_raw", Pass::Occlusion, false, false },
+  { "6_occlusion_denoised", Pass::Occlusion, true, false },
+  { "7_occlusion_refined", Pass::Occlusion, true, true },
+  { "8_composite", Pass::Composite, true, true },
 };
+const char* const SolidsName = "4_solids";
+
+bool Write(vtkImageData* picture, const std::string& folder, const std::string& name)
+{
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputData(picture);
+  writer->SetFileName((folder + "/stage_" + name + ".png").c_str());
+  writer->SetCompressionLevel(9);
+  writer->Write();
+  return writer->GetErrorCode() == 0;
+}
+
+/// How much of the ray of each estimated pixel lies inside solids: white is nothing, black is two
+/// radii or more.
+vtkSmartPointer<vtkImageData> DrawSolids(Pass* pass)
+{
+  vtkNew<vtkImageData> solids; // depths of front and back of up to four stretches, else 0
+  auto picture = vtkSmartPointer<vtkImageData>::New();
+  if (pass->GetSolids(solids))
+  {
+    picture->SetDimensions(solids->GetDimensions());
+    picture->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+    const auto* value = static_cast<const float*>(solids->GetScalarPointer());
+    auto* grey = static_cast<unsigned char*>(picture->GetScalarPointer());
+    for (vtkIdType i = 0; i < solids->GetNumberOfPoints(); ++i, value += 8)
+    {
+      double inside = 0.0;
+      for (int stretch = 0; stretch < 4; ++stretch)
+      {
+        inside += value[2 * stretch + 1] - std::abs(value[2 * stretch]);
+      }
+      const double share = inside / (2.0 * pass->GetEffectiveRadius());
+      grey[i] = static_cast<unsigned char>(255.0 * (1.0 - std::clamp(share, 0.0, 1.0)));
+    }
+  }
+  return picture;
+}
 
 int main(int argc, char* argv[])
 {
@@ -63,6 +106,7 @@ int main(int argc, char* argv[])
   actor->GetProperty()->SetDiffuse(0.7);
 
   vtkNew<Pass> pass;
+  pass->SetQualityToAccurate();
   vtkNew<vtkRenderer> renderer;
   renderer->SetBackground(1.0, 1.0, 1.0);
   renderer->AddActor(actor);
@@ -70,30 +114,28 @@ int main(int argc, char* argv[])
   renderer->GetActiveCamera()->SetPosition(-0.5, -1.0, 0.8);
   renderer->GetActiveCamera()->SetViewUp(0.0, 0.0, 1.0);
   renderer->ResetCamera();
+  renderer->GetActiveCamera()->Zoom(1.3);
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(true);
   window->SetMultiSamples(0);
-  window->SetSize(640, 480);
+  const std::string folder = argc > 2 ? argv[2] : ".";
+  const int width = argc > 3 ? std::atoi(argv[3]) : 640;
+  window->SetSize(width, width * 3 / 4);
   window->AddRenderer(renderer);
 
-  const int denoiser = pass->GetDenoiser();
+  bool written = true;
   for (const Stage& stage : Stages)
   {
     pass->SetOutputMode(stage.OutputMode);
-    pass->SetDenoiser(stage.Denoised ? denoiser : Pass::None);
+    pass->SetDenoiser(stage.Denoised ? Pass::EdgeAware : Pass::None);
+    pass->SetRefinement(stage.Refined);
     window->Render();
     vtkNew<vtkWindowToImageFilter> picture;
     picture->SetInput(window);
     picture->ReadFrontBufferOff();
-    vtkNew<vtkPNGWriter> writer;
-    writer->SetInputConnection(picture->GetOutputPort());
-    const std::string folder = argc > 2 ? argv[2] : ".";
-    writer->SetFileName((folder + "/stage_" + stage.Name + ".png").c_str());
-    writer->Write();
-    if (writer->GetErrorCode() != 0)
-    {
-      return EXIT_FAILURE;
-    }
+    picture->Update();
+    written = Write(picture->GetOutput(), folder, stage.Name) && written;
   }
-  return EXIT_SUCCESS;
+  written = Write(DrawSolids(pass), folder, SolidsName) && written;
+  return written ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -39,8 +39,10 @@ class vtkSSAOView;
 class VTKSSAOPASS_EXPORT vtkScreenSpaceAmbientOcclusionPass : public vtkImageProcessingPass
 {
 public:
+  /// A pass with the defaults.
   static vtkScreenSpaceAmbientOcclusionPass* New();
   vtkTypeMacro(vtkScreenSpaceAmbientOcclusionPass, vtkImageProcessingPass);
+  /// Print all parameters.
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /// How ambient visibility is estimated from the captured buffers.
@@ -418,7 +420,8 @@ public:
   ///@{
   /**
    * The two controls that vtkSSAOPass has for strength: V becomes
-   * clamp(IntensityScale x (1 - V) + IntensityShift) taken from 1.
+   * clamp(IntensityScale x (1 - V - IntensityShift)) taken from 1, so that a positive shift leaves
+   * lightly occluded surfaces as they are.
    * IntensityScale: range [0, 10], default 1. IntensityShift: range [-1, 1], default 0.
    * Applied before Intensity. A value out of range is refused with an error.
    */

@@ -30,8 +30,10 @@ if (NOT SSAO_TEST_SANITIZE)
   endif ()
 endif ()
 
-# The program in the README is examples/MinimalSSAO.cxx, and short.
-add_test(NAME TestReadmeProgram
-  COMMAND "${CMAKE_COMMAND}" "-DPACKAGE_SOURCE=${PROJECT_SOURCE_DIR}"
-    -P "${PROJECT_SOURCE_DIR}/Testing/Consumer/TestReadmeProgram.cmake")
-set_tests_properties(TestReadmeProgram PROPERTIES TIMEOUT 60 LABELS "SSAO;Package")
+# The program in the README is examples/MinimalSSAO.cxx, and short. Links of all pages lead somewhere.
+foreach (name TestReadmeProgram TestPages)
+  add_test(NAME ${name}
+    COMMAND "${CMAKE_COMMAND}" "-DPACKAGE_SOURCE=${PROJECT_SOURCE_DIR}"
+      -P "${PROJECT_SOURCE_DIR}/Testing/Consumer/${name}.cmake")
+  set_tests_properties(${name} PROPERTIES TIMEOUT 60 LABELS "SSAO;Package")
+endforeach ()

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * @brief The traced image is the same to the last bit for any number of threads, and bad settings
- * are refused.
+ * @brief The traced image is the same to the last bit for any number of threads, progress is told
+ * and stops it, and bad settings are refused.
  */
 
 #include "UnitTestTruthCommon.h"
@@ -10,7 +10,10 @@
 #include "vtkObject.h"
 #include "vtkSphereSource.h"
 
+#include <atomic>
 #include <cstdlib>
+#include <mutex>
+#include <set>
 
 namespace
 {
@@ -66,6 +69,24 @@ int UnitTestTruthThreads(int, char*[])
   tracer.SetRaysPerPixel(128);
   good &= CheckTrue("more rays give another image",
     !AreEqual(TracedView(renderer, 97, 71, tracer).Image, reference.Image));
+
+  // Each row tells a share of its own, the last all; who says no traces no further.
+  tracer.SetThreads(3);
+  std::mutex mutex;
+  std::set<double> shares;
+  tracer.SetProgress(
+    [&](double share)
+    {
+      const std::lock_guard<std::mutex> lock(mutex);
+      shares.insert(share);
+      return true;
+    });
+  good &= CheckTrue("tracing with progress", TracedView(renderer, 97, 71, tracer).Good);
+  good &= CheckTrue("71 rows, 71 shares", shares.size() == 71 && *shares.rbegin() == 1.0);
+  std::atomic<int> rows(0);
+  tracer.SetProgress([&rows](double) { return ++rows < 10; });
+  good &= CheckTrue("tracing is stopped", !TracedView(renderer, 97, 71, tracer).Good);
+  good &= CheckTrue("within a row of each thread", rows >= 10 && rows <= 12);
 
   // What is refused, with a warning each.
   vtkObject::GlobalWarningDisplayOff();

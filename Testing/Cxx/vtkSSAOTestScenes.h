@@ -377,8 +377,10 @@ private:
 /// Make the visibility V of every lit pixel v, whatever was estimated.
 inline void ForceVisibility(AOPass* pass, double v)
 {
-  pass->SetIntensityScale(0.0);
-  pass->SetIntensityShift(1.0 - v);
+  // Wholly occluded, or not at all where nothing else may switch the pass off.
+  pass->SetIntensityScale(v < 1.0 ? 10.0 : 0.0);
+  pass->SetIntensityShift(-1.0);
+  pass->SetIntensity(v < 1.0 ? 1.0 - v : 1.0);
 }
 
 //------------------------------------------------------------------------------

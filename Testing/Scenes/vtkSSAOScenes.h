@@ -40,16 +40,17 @@ enum class SphereStyle
   Glyphs     ///< vtkGlyph3DMapper with a sphere of 16 x 8 facets: slow for the ribosome
 };
 
+/// What is known about a scene.
 struct Info
 {
-  std::string Name;
-  Kind SceneKind = Kind::Analytic;
-  std::string Description;
+  std::string Name;                ///< one of Names()
+  Kind SceneKind = Kind::Analytic; ///< what it is made from
+  std::string Description;         ///< a line
   /// Occlusion radius in the scene's world units.
   double Radius = 0.0;
   /// File in the data directory that the scene needs; empty for computed scenes.
   std::string DataFile = {};
-  int NumberOfViews = 0;
+  int NumberOfViews = 0; ///< places of the camera
 };
 
 /// The names of all scenes: analytic, then procedural, then real ones.

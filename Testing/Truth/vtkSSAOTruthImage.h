@@ -15,9 +15,11 @@
 
 struct vtkSSAOTruthImage
 {
+  ///@{
   /// Size in pixels.
   int Width = 0;
   int Height = 0;
+  ///@}
 
   /// Ambient visibility V in [0, 1]: 1 open, 0 closed; 1 where Hit is 0.
   std::vector<float> Visibility;
@@ -32,10 +34,12 @@ struct vtkSSAOTruthImage
   /// Hit is 0.
   std::vector<float> Depth;
 
+  ///@{
   /// Unit shading normal N and unit facet normal Ng in view coordinates, both on the side that
   /// faces the viewer; 0 where Hit is 0.
   std::vector<float> Normal;
   std::vector<float> GeometricNormal;
+  ///@}
 
   /**
    * Makes an image of background: V = 1, everything else 0.

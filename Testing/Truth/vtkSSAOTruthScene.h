@@ -48,6 +48,7 @@ public:
    */
   struct Mesh
   {
+    /// What a mesh is shaded with.
     enum NormalType
     {
       NoNormals,    ///< shade with the facet's own normal
@@ -58,10 +59,10 @@ public:
     std::vector<double> Points;          ///< three per point, relative to the origin
     std::vector<unsigned int> Triangles; ///< three point numbers each, in VTK's winding
     std::vector<double> Normals;         ///< world axes, any length
-    NormalType Normal = NoNormals;
-    bool Lit = true;
-    bool CullsBack = false;  ///< back faces are not drawn; they still occlude
-    bool CullsFront = false; ///< front faces are not drawn; they still occlude
+    NormalType Normal = NoNormals;       ///< what Normals holds
+    bool Lit = true;                     ///< else it only hides what is behind
+    bool CullsBack = false;              ///< back faces are not drawn; they still occlude
+    bool CullsFront = false;             ///< front faces are not drawn; they still occlude
 
     /// Each keeps the points with n.x + d >= 0, x relative to the origin.
     std::vector<std::array<double, 4>> ClippingPlanes;
@@ -73,8 +74,8 @@ public:
   struct Spheres
   {
     std::vector<double> Centers; ///< three per sphere, relative to the origin
-    std::vector<double> Radii;
-    bool Lit = true;
+    std::vector<double> Radii;   ///< one per sphere
+    bool Lit = true;             ///< else they only hide what is behind
   };
 
   /**
@@ -101,11 +102,13 @@ public:
   const std::vector<Spheres>& GetSpheres() const { return this->SphereSets; }
   ///@}
 
+  ///@{
   /**
    * Number of triangles, and of spheres.
    */
   std::size_t GetNumberOfTriangles() const;
   std::size_t GetNumberOfSpheres() const;
+  ///@}
 
   /**
    * Class names of the mappers that were not understood; their props are missing.

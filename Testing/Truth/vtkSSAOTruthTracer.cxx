@@ -807,11 +807,18 @@ bool vtkSSAOTruthTracer::Trace(
 
   // Threads take rows as they get free; a pixel depends on nothing but the view and itself.
   std::atomic<int> nextRow(0);
+  std::atomic<int> rowsDone(0);
+  std::atomic<bool> stopped(false);
   const auto work = [&]()
   {
-    for (int y = nextRow++; y < image.Height; y = nextRow++)
+    for (int y = nextRow++; y < image.Height && !stopped; y = nextRow++)
     {
       TraceRow(view, camera, sampling, y, image);
+      const double share = static_cast<double>(++rowsDone) / image.Height;
+      if (this->Progress && !this->Progress(share))
+      {
+        stopped = true;
+      }
     }
   };
   const int threads = this->Threads > 0
@@ -827,5 +834,5 @@ bool vtkSSAOTruthTracer::Trace(
   {
     other.join();
   }
-  return true;
+  return !stopped;
 }

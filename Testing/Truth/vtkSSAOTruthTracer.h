@@ -30,7 +30,9 @@
 #ifndef vtkSSAOTruthTracer_h
 #define vtkSSAOTruthTracer_h
 
+#include <functional>
 #include <string>
+#include <utility>
 
 class vtkSSAOTruthCamera;
 class vtkSSAOTruthScene;
@@ -84,6 +86,15 @@ public:
   ///@}
 
   /**
+   * Called after each row of pixels, by the threads that trace, with the share of the rows that is
+   * done. Tracing stops where it returns false. None by default.
+   */
+  void SetProgress(std::function<bool(double share)> progress)
+  {
+    this->Progress = std::move(progress);
+  }
+
+  /**
    * Digest of the version of the algorithm and of the settings that change the image.
    */
   std::string GetDigest() const;
@@ -91,7 +102,7 @@ public:
   /**
    * Traces the view of a scene. The camera must have been made with the scene's origin. Returns
    * false, with a message and an image of background, where a setting is out of range or Embree
-   * fails.
+   * fails, and without a message where the progress function stopped it.
    */
   bool Trace(const vtkSSAOTruthScene& scene, const vtkSSAOTruthCamera& camera,
     vtkSSAOTruthImage& image) const;
@@ -103,6 +114,7 @@ private:
   int Threads = 0;
   bool CosineWeight = true;
   bool Cutoff = true;
+  std::function<bool(double share)> Progress;
 };
 
 #endif

@@ -11,9 +11,14 @@ vtkStandardNewMacro(KeyStyle);
 //------------------------------------------------------------------------------
 void KeyStyle::OnChar()
 {
-  if (!this->Use || !this->Use(this->Interactor->GetKeyCode()))
+  const char key = this->Interactor->GetKeyCode();
+  if (!this->Use || !this->Use(key))
   {
     this->Superclass::OnChar();
+    if (key == 'f' || key == 'F')
+    {
+      this->Interactor->Render(); // arrived: the frames on the way were those of a movement
+    }
   }
 }
 }

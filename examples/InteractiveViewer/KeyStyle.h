@@ -22,6 +22,9 @@ public:
 
   void OnChar() override;
 
+  /// Whether the camera is moved, by the mouse or by VTK's key f.
+  bool IsMoving() const { return this->State != VTKIS_NONE || this->AnimState == VTKIS_ANIM_ON; }
+
 private:
   std::function<bool(char key)> Use;
 };

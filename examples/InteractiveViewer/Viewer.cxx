@@ -6,12 +6,15 @@
 #include <vtkCommand.h>
 #include <vtkInteractorEventRecorder.h>
 #include <vtkMath.h>
+#include <vtkPNGWriter.h>
+#include <vtkWindowToImageFilter.h>
 
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <iterator>
 
 namespace viewer
@@ -37,9 +40,15 @@ const Mode Modes[] = {
   { 'd', AmbientOcclusion::Depth, "depth", "depth" },
 };
 const char* const HelpText = "o off   a on   v alone   c next of these\n"
-                             "n normals   d depth\n"
+                             "n normals   d depth   m modulation\n"
+                             "1 fast   2 balanced   3 accurate\n"
                              "e, shift-e estimator   0 automatic radius\n"
+                             "t error against the truth   g grab picture\n"
                              "h hide this   q quit";
+const char* const ModulationNames[] = { "ambient", "ambient and diffuse", "all" };
+const char* const StageNames[] = { "capture", "layers", "occlusion", "denoise", "refine",
+  "modulate" };
+const unsigned long ProgressPeriod = 250; // milliseconds
 
 const Mode& ModeOf(int outputMode)
 {
@@ -63,18 +72,28 @@ double Rounded(double value, int digits)
 }
 
 //------------------------------------------------------------------------------
-Viewer::Viewer(vtkRenderWindow* window, vtkRenderer* renderer)
+Viewer::Viewer(vtkRenderWindow* window, vtkRenderer* renderer, int preset, double frameRate)
   : Window(window)
   , Renderer(renderer)
 {
+  this->SetPreset(preset);
+  this->Pass->StageTimingOn();
   this->Renderer->SetPass(this->Pass);
   this->Interactor->SetRenderWindow(window);
   this->Interactor->SetInteractorStyle(this->Style);
+  this->Interactor->SetDesiredUpdateRate(frameRate);
   this->Style->SetKeyFunction([this](char key) { return this->UseKey(key); });
   this->Controls = std::make_unique<Panel>(window, this->Interactor, this->MakeControls());
   this->Controls->SetHelp(HelpText);
-  this->Observers[0] = window->AddObserver(vtkCommand::StartEvent, this, &Viewer::BeforeFrame);
-  this->Observers[1] = window->AddObserver(vtkCommand::EndEvent, this, &Viewer::AfterFrame);
+  // Of the scene's renderer, so that the panel, which is drawn after it, tells of the same frame.
+  this->Observers[0] = renderer->AddObserver(vtkCommand::StartEvent, this, &Viewer::BeforeFrame);
+  this->Observers[1] = renderer->AddObserver(vtkCommand::EndEvent, this, &Viewer::AfterFrame);
+  // Passive: while the mouse button is held, others get no events.
+  this->TimerCommand->SetClientData(this);
+  this->TimerCommand->SetCallback([](vtkObject*, unsigned long, void* viewer, void* timer)
+    { static_cast<Viewer*>(viewer)->FollowTracing(static_cast<int*>(timer)); });
+  this->TimerCommand->PassiveObserverOn();
+  this->Interactor->AddObserver(vtkCommand::TimerEvent, this->TimerCommand);
 }
 
 //------------------------------------------------------------------------------
@@ -82,8 +101,11 @@ Viewer::~Viewer()
 {
   for (unsigned long observer : this->Observers)
   {
-    this->Window->RemoveObserver(observer);
+    this->Renderer->RemoveObserver(observer);
   }
+  this->Renderer->SetPass(nullptr);
+  this->Pass->ReleaseGraphicsResources(this->Window);
+  this->Budget.GetMovingPass()->ReleaseGraphicsResources(this->Window);
   this->Style->SetKeyFunction({});
 }
 
@@ -130,7 +152,22 @@ void Viewer::Play(const std::string& file)
   recorder->KeyPressActivationOff(); // the key i would switch it on
   recorder->SetFileName(file.c_str());
   recorder->Play();
+  this->Truth.Wait();
   this->Window->Render();
+}
+
+//------------------------------------------------------------------------------
+void Viewer::WritePicture(const std::string& file)
+{
+  vtkNew<vtkWindowToImageFilter> grab;
+  grab->SetInput(this->Window);
+  grab->ReadFrontBufferOff();
+  grab->ShouldRerenderOff();
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputConnection(grab->GetOutputPort());
+  writer->SetFileName(file.c_str());
+  writer->Write();
+  rendermesh::CheckMessages("cannot write " + rendermesh::Quoted(file));
 }
 
 //------------------------------------------------------------------------------
@@ -138,8 +175,23 @@ bool Viewer::UseKey(char key)
 {
   const auto lower = static_cast<char>(std::tolower(static_cast<unsigned char>(key)));
   const int outputMode = this->Pass->GetOutputMode();
+  this->Message.clear();
   switch (lower)
   {
+    case '1':
+    case '2':
+    case '3':
+      this->SetPreset(lower - '1');
+      break;
+    case 'm':
+      this->StepModulation();
+      break;
+    case 't':
+      this->ToggleTruth();
+      break;
+    case 'g':
+      this->GrabPicture();
+      break;
     case 'c':
       this->Pass->SetOutputMode(outputMode == AmbientOcclusion::Unoccluded
           ? AmbientOcclusion::Composite
@@ -169,7 +221,15 @@ bool Viewer::UseKey(char key)
   }
   this->Controls->Refresh();
   this->Interactor->Render();
+  this->WatchTracing(this->Truth.IsTracing());
   return true;
+}
+
+//------------------------------------------------------------------------------
+void Viewer::SetPreset(int preset)
+{
+  this->CurrentPreset = preset;
+  (this->Pass->*GetPresets()[preset].Set)();
 }
 
 //------------------------------------------------------------------------------
@@ -178,8 +238,75 @@ void Viewer::StepEstimator(int step)
   const int count = static_cast<int>(this->Estimators.size());
   const int place = static_cast<int>(&this->CurrentEstimator() - this->Estimators.data());
   // From a source's system back to ours: with what the preset sets besides.
-  this->Pass->SetQualityToBalanced();
+  this->SetPreset(this->CurrentPreset);
   this->Pass->SetEstimator(this->Estimators[(place + step + count) % count].Value);
+}
+
+//------------------------------------------------------------------------------
+void Viewer::StepModulation()
+{
+  const int count = static_cast<int>(std::size(ModulationNames));
+  this->Pass->SetModulation((this->Pass->GetModulation() + 1) % count);
+  this->Message = std::string("takes away: ") + ModulationNames[this->Pass->GetModulation()];
+}
+
+//------------------------------------------------------------------------------
+void Viewer::GrabPicture()
+{
+  std::string file;
+  for (int number = 1; file.empty() || std::ifstream(file); ++number)
+  {
+    file = "InteractiveViewer-" + std::to_string(number) + ".png";
+  }
+  try
+  {
+    this->WritePicture(file);
+    this->Message = "wrote " + file;
+  }
+  catch (const rendermesh::Failure& failure)
+  {
+    this->Message = failure.what();
+  }
+}
+
+//------------------------------------------------------------------------------
+void Viewer::ToggleTruth()
+{
+  if (this->Truth.IsWanted())
+  {
+    this->Truth.Cancel();
+  }
+  else if (TruthError::IsAvailable())
+  {
+    this->Truth.Start(this->Renderer, this->Pass);
+  }
+  else
+  {
+    this->Message = "the truth needs a build with tests and Embree";
+  }
+}
+
+//------------------------------------------------------------------------------
+void Viewer::WatchTracing(bool tracing)
+{
+  if (tracing && this->Timer == 0)
+  {
+    this->Timer = this->Interactor->CreateOneShotTimer(ProgressPeriod);
+  }
+}
+
+//------------------------------------------------------------------------------
+void Viewer::FollowTracing(const int* timer)
+{
+  if (timer && *timer == this->Timer)
+  {
+    // One after the other: the interactor for X crashes if a repeating one is destroyed while it
+    // fires.
+    this->Timer = 0;
+    const bool tracing = this->Truth.IsTracing();
+    this->Interactor->Render();
+    this->WatchTracing(tracing);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -196,12 +323,11 @@ const Estimator& Viewer::CurrentEstimator() const
 }
 
 //------------------------------------------------------------------------------
-std::string Viewer::DescribeSamples() const
+std::string Viewer::DescribeSamples(AmbientOcclusion* pass) const
 {
-  return this->CurrentEstimator().HasDirections
-    ? std::to_string(this->Pass->GetDirections()) + " directions x " +
-      std::to_string(this->Pass->GetSteps()) + " steps"
-    : std::to_string(this->Pass->GetKernelSize()) + " points";
+  return this->CurrentEstimator().HasDirections ? std::to_string(pass->GetDirections()) +
+      " directions x " + std::to_string(pass->GetSteps()) + " steps"
+                                                : std::to_string(pass->GetKernelSize()) + " points";
 }
 
 //------------------------------------------------------------------------------
@@ -212,25 +338,38 @@ std::string Viewer::DescribeRadius() const
 }
 
 //------------------------------------------------------------------------------
+std::string Viewer::DescribeCost(AmbientOcclusion* pass, double seconds) const
+{
+  char text[64];
+  std::snprintf(text, sizeof(text), "frame %.1f ms", 1000.0 * seconds);
+  std::string cost = text;
+  for (int stage = 0; stage < AmbientOcclusion::NumberOfStages; ++stage)
+  {
+    const double time = 1000.0 * pass->GetStageTime(stage);
+    if (time > 0.0)
+    {
+      std::snprintf(text, sizeof(text), "\n  %s %.1f", StageNames[stage], time);
+      cost += text;
+    }
+  }
+  return cost;
+}
+
+//------------------------------------------------------------------------------
 std::string Viewer::GetState() const
 {
   return std::string("output: ") + ModeOf(this->Pass->GetOutputMode()).Name +
-    "\nestimator: " + this->CurrentEstimator().Name + "\nsamples: " + this->DescribeSamples() +
-    "\nradius: " + this->DescribeRadius() + "\nintensity: " + Text(this->Pass->GetIntensity()) +
-    "\n";
+    "\npreset: " + NameOfPreset(this->Pass) + "\nestimator: " + this->CurrentEstimator().Name +
+    "\nsamples: " + this->DescribeSamples(this->Pass) + "\nradius: " + this->DescribeRadius() +
+    "\nintensity: " + Text(this->Pass->GetIntensity()) +
+    "\nmodulation: " + ModulationNames[this->Pass->GetModulation()] +
+    "\nmovements: " + this->Budget.GetName() + "\nerror: " + this->Truth.Describe() + "\n";
 }
 
 //------------------------------------------------------------------------------
 void Viewer::BeforeFrame()
 {
-  char time[32] = "-";
-  if (this->FrameTime > 0.0)
-  {
-    std::snprintf(time, sizeof(time), "%.1f ms", 1000.0 * this->FrameTime);
-  }
-  this->Controls->SetStatus(std::string(ModeOf(this->Pass->GetOutputMode()).Text) + "\n" +
-    this->CurrentEstimator().Name + ", " + this->DescribeSamples() + "\nradius " +
-    this->DescribeRadius() + "\nlast frame " + time);
+  this->Renderer->SetPass(this->Budget.Choose(this->Pass, this->Style->IsMoving()));
   this->FrameStart = rendermesh::Seconds();
 }
 
@@ -238,6 +377,34 @@ void Viewer::BeforeFrame()
 void Viewer::AfterFrame()
 {
   this->Window->WaitForCompletion(); // else only the time to hand it to the graphics card is known
-  this->FrameTime = rendermesh::Seconds() - this->FrameStart;
+  const double seconds = rendermesh::Seconds() - this->FrameStart;
+  auto* drawn = AmbientOcclusion::SafeDownCast(this->Renderer->GetPass());
+  std::string status = std::string(ModeOf(drawn->GetOutputMode()).Text) + "\n";
+  if (drawn == this->Pass)
+  {
+    status += NameOfPreset(drawn) + ": " + this->CurrentEstimator().Name + "\n" +
+      this->DescribeSamples(drawn);
+  }
+  else
+  {
+    status += std::string("moving: ") + this->Budget.GetName();
+  }
+  this->Budget.Judge(seconds, 1.0 / this->Interactor->GetDesiredUpdateRate());
+  this->Truth.Follow(this->Renderer, this->Pass);
+  this->Truth.Compare(this->Pass);
+  // A frame that takes its visibility from the last one tells nothing of what that costs.
+  const bool needsVisibility = drawn->GetIntensity() > 0.0 &&
+    (drawn->GetOutputMode() == AmbientOcclusion::Composite ||
+      drawn->GetOutputMode() == AmbientOcclusion::Occlusion);
+  if (!needsVisibility || drawn->GetNumberOfEstimatedPixels() > 0)
+  {
+    this->Cost = this->DescribeCost(drawn, seconds);
+  }
+  status += "\nradius " + this->DescribeRadius() + "\n" + this->Cost;
+  if (this->Truth.IsWanted())
+  {
+    status += "\nerror: " + this->Truth.Describe();
+  }
+  this->Controls->SetStatus(status + (this->Message.empty() ? "" : "\n" + this->Message));
 }
 }

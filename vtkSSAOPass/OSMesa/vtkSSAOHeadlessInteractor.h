@@ -20,6 +20,7 @@
 class vtkSSAOHeadlessInteractor : public vtkGenericRenderWindowInteractor
 {
 public:
+  /// An interactor without a display.
   static vtkSSAOHeadlessInteractor* New();
   vtkTypeMacro(vtkSSAOHeadlessInteractor, vtkGenericRenderWindowInteractor);
 

@@ -24,11 +24,17 @@
 class vtkSSAOOSMesaObjectFactory : public vtkObjectFactory
 {
 public:
+  /// A factory; vtkObjectFactory::RegisterFactory makes VTK use it.
   static vtkSSAOOSMesaObjectFactory* New();
   vtkTypeMacro(vtkSSAOOSMesaObjectFactory, vtkObjectFactory);
 
+  ///@{
+  /**
+   * What VTK tells about its factories.
+   */
   const char* GetVTKSourceVersion() VTK_FUTURE_CONST override;
   const char* GetDescription() VTK_FUTURE_CONST override;
+  ///@}
 
 protected:
   vtkSSAOOSMesaObjectFactory();

@@ -30,8 +30,10 @@
 class vtkSSAOOSMesaRenderWindow : public vtkOpenGLRenderWindow
 {
 public:
+  /// A window in memory; its context is made by the first render.
   static vtkSSAOOSMesaRenderWindow* New();
   vtkTypeMacro(vtkSSAOOSMesaRenderWindow, vtkOpenGLRenderWindow);
+  /// Print the state of the window.
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**

@@ -225,10 +225,10 @@ float ssaoPlaneWeight(SsaoPlane plane, float depth, vec2 moved)
 }
 
 // Visibility after the controls for strength; all parameters as in the public class. 1 stays 1
-// unless shift is positive.
+// unless shift is negative.
 float ssaoStrength(float visibility, float power, float intensity, float scale, float shift)
 {
   float powered = pow(clamp(visibility, float(0.0), float(1.0)), power);
-  float occlusion = clamp((float(1.0) - powered) * scale + shift, float(0.0), float(1.0));
+  float occlusion = clamp((float(1.0) - powered - shift) * scale, float(0.0), float(1.0));
   return clamp(float(1.0) - intensity * occlusion, float(0.0), float(1.0));
 }

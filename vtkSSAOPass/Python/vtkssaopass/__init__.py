@@ -9,9 +9,10 @@ else it has. Without a display (the variable DISPLAY is not set) importing this 
 VTK draw into memory by OSMesa, where the package was built with it.
 """
 
-from . import _headless
+from . import _headless, _vtk
 
 _headless.prepare()
+_vtk.check()
 
 from ._configuration import VERSION as __version__  # noqa: E402
 from ._insertion import disable_ambient_occlusion, enable_ambient_occlusion  # noqa: E402
