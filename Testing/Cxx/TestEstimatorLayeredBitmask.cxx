@@ -83,15 +83,18 @@ void TestPlate(vtkSSAOTestMonitor& test)
     // As asked for; half of it are 24 samples instead of all pixels.
     test.ExpectAtMost(layered.Largest, 0.05, what + "16x24: largest difference of V from rays");
     test.ExpectNear(layered.Bias, 0.0, 0.02, what + "16x24: mean difference of V from rays");
+    // The presets' samples lie up to a fifth and a seventh of the radius apart, as wide as the strip of
+    // the plate in the picture is at that distance: some sides miss it. Balanced has but one slice for
+    // each pixel, and 16 for what the denoiser averages, all with other shifts of their samples.
+    const double largest[] = { 0.0, 0.18, 0.12 };
+    const double mean[] = { 0.0, 0.065, 0.05 };
     for (int preset : { 1, 2 })
     {
       view.SetPreset(preset);
       const ErrorOfV error = ErrorAlongFloor(view, plate, -2.5, 2.0, radius);
-      // 6 or 12 samples to a side are up to a third or a sixth of the radius apart, as wide as the
-      // strip of the plate in the picture is at that distance: some sides miss it. Met: .106.
-      test.ExpectAtMost(error.Largest, 0.12,
+      test.ExpectAtMost(error.Largest, largest[preset],
         what + vtkSSAOTestView::GetPresetName(preset) + ": largest difference of V from rays");
-      test.ExpectNear(error.Bias, 0.0, 0.05,
+      test.ExpectNear(error.Bias, 0.0, mean[preset],
         what + vtkSSAOTestView::GetPresetName(preset) + ": mean difference of V from rays");
     }
     SetMany(view.Pass);
@@ -131,6 +134,7 @@ void TestSolidBodies(vtkSSAOTestMonitor& test)
       view.Look({ 3.0, 4.0, 6.0 }, { 0.0, 0.2, 0.0 }, { 0, 1, 0 }, 25.0);
       view.Pass->SetRadius(0.6);
       view.Pass->SetLayers(9);
+      view.Pass->SetDirections(2);
       const vtkSSAOTestImage v = view.Visibility();
       const std::string where = bottom < 0.0 ? ", sunk" : ", standing";
       if (kind == 0)
