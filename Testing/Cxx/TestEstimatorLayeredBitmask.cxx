@@ -372,8 +372,8 @@ void TestMultiSampled(vtkSSAOTestMonitor& test)
     other += std::abs(a - b) > 1.0e-3F * std::abs(a) ? 1 : 0;
   }
   // Silhouettes: there the surface of another sample may be taken than the one at the pixel's
-  // centre, 0.3 % of the pixels. Without the margin that keeps a surface from being its own next layer
-  // it was 18 %.
+  // centre, 0.3 % of the pixels. Without the margin that keeps a surface from being its own next
+  // layer it was 18 %.
   test.ExpectAtMost(other / double(surfaces), 0.01,
     "4 samples: share of the pixels whose first solid ends elsewhere than without samples");
 }

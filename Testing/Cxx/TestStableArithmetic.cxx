@@ -85,8 +85,9 @@ int TestStableArithmetic(int, char*[])
       Measure(row, view, what.str());
     }
     // In parallel projection from afar nearly all of the difference is the twin's: it gets depths
-    // from the camera on in float32, and the pass works with finer ones.
-    for (double away : { 10.0, 2000.0, 20000.0 })
+    // from the camera on in float32, and the pass works with finer ones. At 20,000 R, in steps of
+    // .002 R, that alone is 1.08/255 with Fast.
+    for (double away : { 10.0, 2000.0, parallel ? 10000.0 : 20000.0 })
     {
       const std::vector<double> at = { -0.1, 0.5, 0.0 };
       const double distance = 0.5 * away;
