@@ -516,9 +516,9 @@ public:
    * shading normal and facet normal in view coordinates, towards the viewer, and 1 where the
    * surface shows its front, -1 where its back.
    * GetSolids: eight floats, for LayeredBitmask, of the estimated pixels only: front and back of up
-   * to four stretches of the ray inside solids, as linear view depths, 0 and 0 for none, 1e30 for no
-   * end; the first front is negative where the surface shows its back. False, and the image is left
-   * alone, if the last render made none: before any render, in output mode Unoccluded, with
+   * to four stretches of the ray inside solids, as linear view depths, 0 and 0 for none, 1e30 for
+   * no end; the first front is negative where the surface shows its back. False, and the image is
+   * left alone, if the last render made none: before any render, in output mode Unoccluded, with
    * Intensity 0 in output mode Composite, or after ReleaseGraphicsResources.
    */
   bool GetVisibility(vtkImageData* image);

@@ -360,8 +360,8 @@ inline void TestShareInside(vtkSSAOTestMonitor& test, const std::string& what)
   const vec4 viewport(Scalar(10), Scalar(20), Scalar(100), Scalar(50));
   const auto share = [&](double x, double y, double reachX, double reachY)
   {
-    return double(
-      ssaoShareInside(vec2(Scalar(x), Scalar(y)), vec2(Scalar(reachX), Scalar(reachY)), viewport, Scalar(1)));
+    return double(ssaoShareInside(
+      vec2(Scalar(x), Scalar(y)), vec2(Scalar(reachX), Scalar(reachY)), viewport, Scalar(1)));
   };
   test.ExpectEqual(share(60, 45, 20, -20), 1.0, what + "a trace inside the viewport");
   test.ExpectNear(share(60, 45, 100, 0), 0.5, Epsilon, what + "a trace across the right border");
