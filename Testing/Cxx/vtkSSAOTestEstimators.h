@@ -200,7 +200,6 @@ inline void ExpectProperties(vtkSSAOTestMonitor& test,
     vtkSSAOTestView view(test, 120, 90);
     vtkSSAOAddStillLife(view);
     setUp(view.Pass);
-    vtkSSAOStatistics all;
     int backgrounds = 0;
     int darkBackgrounds = 0;
     bool finite = true;
