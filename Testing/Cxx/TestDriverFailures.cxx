@@ -7,6 +7,7 @@
 #include "vtkSSAOTestShapes.h"
 
 #include <dlfcn.h>
+#include <iostream>
 
 namespace
 {
