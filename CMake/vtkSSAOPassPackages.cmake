@@ -8,7 +8,8 @@ Debian packages by cpack -G DEB, of a build that was configured for the prefix /
 #]==]
 set(CPACK_PACKAGE_NAME vtkssaopass)
 set(CPACK_PACKAGE_VENDOR vtkSSAOPass)
-set(CPACK_PACKAGE_CONTACT "vtkSSAOPass developers <vtkssaopass@localhost>")
+set(CPACK_PACKAGE_CONTACT "vtkSSAOPass authors <noreply@example.org>" CACHE STRING
+  "Maintainer of the Debian packages: a name and an address")
 set(CPACK_PACKAGE_VERSION "${PROJECT_VERSION}")
 set(CPACK_RESOURCE_FILE_LICENSE "${PROJECT_SOURCE_DIR}/LICENSE")
 set(CPACK_PACKAGING_INSTALL_PREFIX "${CMAKE_INSTALL_PREFIX}")

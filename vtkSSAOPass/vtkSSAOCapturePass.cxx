@@ -160,9 +160,12 @@ double TotalLight(vtkRenderer* renderer)
 bool StaysWithinBounds(vtkActor* actor)
 {
   const std::string mapper = actor->GetMapper()->GetClassName();
+  // vtkCompositePolyDataMapper2 up to VTK 9.2.
+  const bool isComposite =
+    mapper == "vtkCompositePolyDataMapper" || mapper == "vtkCompositePolyDataMapper2";
   vtkProperty* property = actor->GetProperty();
   vtkShaderProperty* shader = actor->GetShaderProperty();
-  return (mapper == "vtkOpenGLPolyDataMapper" || mapper == "vtkCompositePolyDataMapper2") &&
+  return (mapper == "vtkOpenGLPolyDataMapper" || isComposite) &&
     property->GetRepresentation() == VTK_SURFACE && !property->GetEdgeVisibility() &&
     !property->GetVertexVisibility() && !property->GetRenderPointsAsSpheres() &&
     !property->GetRenderLinesAsTubes() && property->GetLineWidth() <= 1.0F &&

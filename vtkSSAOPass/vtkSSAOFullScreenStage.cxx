@@ -88,8 +88,8 @@ vtkShaderProgram* vtkSSAOFullScreenStage::UseProgram(
   std::unique_ptr<vtkOpenGLQuadHelper>& quad = this->Quads[fragmentShader];
   if (!quad)
   {
-    quad.reset(
-      new vtkOpenGLQuadHelper(window, vtkSSAOPassFullScreenVS, fragmentShader.c_str(), ""));
+    quad = std::make_unique<vtkOpenGLQuadHelper>(
+      window, vtkSSAOPassFullScreenVS, fragmentShader.c_str(), "");
     ++this->ProgramBuilds;
   }
   else

@@ -4,9 +4,10 @@
 // the pass, and the plain scene. With resources released the pass tries again.
 
 #include "vtkSSAOTestEverything.h"
+#include "vtkSSAOTestOpenGL.h"
 #include "vtkSSAOTestShapes.h"
 
-#include <dlfcn.h>
+#include <iostream>
 
 namespace
 {
@@ -16,19 +17,6 @@ using namespace vtkSSAOTest;
 // OpenGL's functions as VTK calls them: through the pointers of its loader, GLEW or glad.
 using ShaderSource = void (*)(unsigned int, int, const char* const*, const int*);
 using CheckStatus = unsigned int (*)(unsigned int);
-
-template <typename Function>
-Function* FindPointer(const std::string& name)
-{
-  for (const std::string loader : { "__glew", "vtkglad_glad_gl", "glad_gl" })
-  {
-    if (void* pointer = dlsym(RTLD_DEFAULT, (loader + name).c_str()))
-    {
-      return static_cast<Function*>(pointer);
-    }
-  }
-  return nullptr;
-}
 
 ShaderSource RealShaderSource = nullptr;
 CheckStatus RealCheckStatus = nullptr;
@@ -114,8 +102,9 @@ int TestDriverFailures(int, char*[])
     Stage stage(report, 20, 20);
     stage.Draw(nullptr);
   }
-  auto* shaderSource = FindPointer<ShaderSource>("ShaderSource");
-  auto* checkStatus = FindPointer<CheckStatus>("CheckFramebufferStatus");
+  auto* shaderSource = reinterpret_cast<ShaderSource*>(vtkSSAOFindOpenGLPointer("glShaderSource"));
+  auto* checkStatus =
+    reinterpret_cast<CheckStatus*>(vtkSSAOFindOpenGLPointer("glCheckFramebufferStatus"));
   if (shaderSource && *shaderSource && checkStatus && *checkStatus)
   {
     RealShaderSource = *shaderSource;

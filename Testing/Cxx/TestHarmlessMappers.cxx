@@ -95,7 +95,7 @@ void AddBlocks(Stage& stage)
     sphere->Update();
     blocks->SetBlock(i, sphere->GetOutput());
   }
-  vtkNew<vtkCompositePolyDataMapper2> mapper;
+  vtkNew<vtkSSAOTestCompositeMapper> mapper;
   mapper->SetInputDataObject(blocks);
   mapper->ScalarVisibilityOff();
   vtkNew<vtkCompositeDataDisplayAttributes> attributes;

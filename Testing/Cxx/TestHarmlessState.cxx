@@ -3,6 +3,7 @@
 // The pass leaves OpenGL as it found it, comes and goes without a trace, and keeps antialiasing.
 
 #include "vtkSSAOTestEverything.h"
+#include "vtkSSAOTestOpenGL.h"
 #include "vtkSSAOTestShapes.h"
 
 #include "vtkCameraPass.h"
@@ -12,7 +13,6 @@
 
 #include <GL/gl.h>
 #include <GL/glext.h>
-#include <dlfcn.h>
 
 namespace
 {
@@ -58,7 +58,7 @@ public:
     window->GetState()->vtkglBlendEquation(this->BlendEquation);
     this->DelegatePass->Render(s);
     using GetFunction = void (*)(GLenum, GLint*);
-    const auto get = reinterpret_cast<GetFunction>(dlsym(RTLD_DEFAULT, "glGetIntegerv"));
+    const auto get = reinterpret_cast<GetFunction>(vtkSSAOFindOpenGL("glGetIntegerv"));
     for (std::size_t i = 0; i < NumberOfValues; ++i)
     {
       this->After[i] = {};

@@ -33,7 +33,8 @@ int TestPictureBorder(int, char*[])
       const std::string what = std::string(vtkSSAOTestView::GetPresetName(preset)) + ": ";
       const double middle = mean(44, 76);
       test.ExpectAtMost(middle, 0.93, what + "V at the crease in the middle");
-      // What lies beyond the border is not known; counting it as open would give +.1 in all presets.
+      // What lies beyond the border is not known; counting it as open would give +.1 in all
+      // presets.
       test.ExpectNear(mean(0, 8), middle, 0.03, what + "V at the left border");
       test.ExpectNear(mean(112, 120), middle, 0.03, what + "V at the right border");
     }

@@ -6,7 +6,6 @@
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
-#include "vtkCompositePolyDataMapper2.h"
 #include "vtkCubeSource.h"
 #include "vtkCullerCollection.h"
 #include "vtkDoubleArray.h"
@@ -18,6 +17,7 @@
 #include "vtkPolyData.h"
 #include "vtkRenderer.h"
 #include "vtkSSAOStability.h"
+#include "vtkSSAOTestCompatibility.h"
 #include "vtkSSAOTestMonitor.h"
 #include "vtkSSAOTestShapes.h"
 #include "vtkSSAOTestView.h"
@@ -103,7 +103,7 @@ void AddBlocks(vtkSSAOTestView& view)
   blocks->SetBlock(0, vtkNew<vtkPolyData>());
   blocks->SetBlock(1, inner);
   blocks->SetBlock(3, NewGrid());
-  vtkNew<vtkCompositePolyDataMapper2> mapper;
+  vtkNew<vtkSSAOTestCompositeMapper> mapper;
   mapper->SetInputDataObject(blocks);
   mapper->ScalarVisibilityOff();
   vtkNew<vtkActor> actor;

@@ -231,10 +231,10 @@ void TestPrintSelf(vtkSSAOTestMonitor& test)
     { "Directions", "11" }, { "Steps", "13" }, { "AngleBias", "12.5" }, { "HalfRule", "off" },
     { "RangeCheck", "off" }, { "MinimumDifference", "0.03125" }, { "Falloff", "2" },
     { "Attenuation", "1.75" }, { "NoiseSize", "9" }, { "Layers", "7" }, { "Thickness", "0.1875" },
-    { "Downsampling", "3" }, { "Refinement", "on" }, { "Bias", "0.0625" }, { "Denoiser", "" }, { "Modulation", "" },
-    { "Intensity", "1.25" }, { "Power", "3.125" }, { "IntensityScale", "2.375" },
-    { "IntensityShift", "-0.4375" }, { "OutputMode", "" }, { "DepthFormat", "42" },
-    { "VolumeOpacityThreshold", "0.8125" }, { "StageTiming", "" } };
+    { "Downsampling", "3" }, { "Refinement", "on" }, { "Bias", "0.0625" }, { "Denoiser", "" },
+    { "Modulation", "" }, { "Intensity", "1.25" }, { "Power", "3.125" },
+    { "IntensityScale", "2.375" }, { "IntensityShift", "-0.4375" }, { "OutputMode", "" },
+    { "DepthFormat", "42" }, { "VolumeOpacityThreshold", "0.8125" }, { "StageTiming", "" } };
   for (const auto& line : lines)
   {
     const std::string wanted = std::string(" ") + line.first + ": " + line.second;

@@ -33,6 +33,7 @@ using namespace glm;
 using Scalar = float;
 #include "glsl/vtkSSAOPass0Functions.glsl"
 #include "glsl/vtkSSAOPass0SliceFunctions.glsl"
+// After the functions that it calls.
 #include "UnitTestSSAOSliceFunctionsEstimator.h"
 }
 namespace inDouble
@@ -45,6 +46,7 @@ using Scalar = double;
 #define float double
 #include "glsl/vtkSSAOPass0Functions.glsl"
 #include "glsl/vtkSSAOPass0SliceFunctions.glsl"
+// After the functions that it calls.
 #include "UnitTestSSAOSliceFunctionsEstimator.h"
 #undef float
 }

@@ -20,17 +20,9 @@
 #include "vtkPointData.h"
 #include "vtkPointGaussianMapper.h"
 #include "vtkProperty.h"
+#include "vtkSSAOTestCompatibility.h"
 #include "vtkSphereSource.h"
 #include "vtkTransform.h"
-#include "vtkVersionMacros.h"
-
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
-#include "vtkCompositePolyDataMapper.h"
-typedef vtkCompositePolyDataMapper CompositeMapper;
-#else
-#include "vtkCompositePolyDataMapper2.h"
-typedef vtkCompositePolyDataMapper2 CompositeMapper;
-#endif
 
 #include <cstdlib>
 
@@ -216,7 +208,7 @@ bool TestComposite()
   all->SetBlock(0, MakeBox());
   all->SetBlock(1, group);
   all->SetBlock(2, MakeBox());
-  vtkNew<CompositeMapper> mapper;
+  vtkNew<vtkSSAOTestCompositeMapper> mapper;
   mapper->SetInputDataObject(all);
   vtkNew<vtkCompositeDataDisplayAttributes> attributes;
   mapper->SetCompositeDataDisplayAttributes(attributes);

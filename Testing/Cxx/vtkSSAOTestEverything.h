@@ -175,7 +175,7 @@ inline void AddAnnotations(vtkRenderer* renderer, Grid& grid)
   title->SetInput("Title");
   title->SetPosition(5.0, 5.0);
   title->GetTextProperty()->SetFontSize(18);
-  renderer->AddActor2D(title);
+  renderer->AddViewProp(title);
 
   vtkNew<vtkTextActor3D> caption;
   caption->SetInput("3D");
@@ -201,7 +201,7 @@ inline void AddAnnotations(vtkRenderer* renderer, Grid& grid)
   vtkNew<vtkScalarBarActor> bar;
   bar->SetLookupTable(table);
   bar->SetNumberOfLabels(3);
-  renderer->AddActor2D(bar);
+  renderer->AddViewProp(bar);
 }
 }
 

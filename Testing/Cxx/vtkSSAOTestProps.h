@@ -12,7 +12,6 @@
 #include "vtkAssembly.h"
 #include "vtkCellArray.h"
 #include "vtkCompositeDataDisplayAttributes.h"
-#include "vtkCompositePolyDataMapper2.h"
 #include "vtkCubeSource.h"
 #include "vtkFollower.h"
 #include "vtkGlyph3DMapper.h"
@@ -22,6 +21,7 @@
 #include "vtkOpenGLSphereMapper.h"
 #include "vtkPlane.h"
 #include "vtkPolyDataTangents.h"
+#include "vtkSSAOTestCompatibility.h"
 #include "vtkStripper.h"
 
 namespace vtkSSAOTest
@@ -213,7 +213,7 @@ inline void AddLitProps(vtkRenderer* renderer, Grid& grid, LightParts& parts)
   second->SetRadius(0.25);
   second->Update();
   blocks->SetBlock(1, second->GetOutput());
-  vtkNew<vtkCompositePolyDataMapper2> composite;
+  vtkNew<vtkSSAOTestCompositeMapper> composite;
   composite->SetInputDataObject(blocks);
   composite->ScalarVisibilityOff();
   vtkNew<vtkCompositeDataDisplayAttributes> attributes;

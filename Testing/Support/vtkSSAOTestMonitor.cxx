@@ -7,15 +7,12 @@
 #include "vtkObjectFactory.h"
 #include "vtkOutputWindow.h"
 #include "vtkRenderWindow.h"
+#include "vtkSSAOTestOpenGL.h"
 
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
 #include <sstream>
-
-#if defined(__unix__) && !defined(__APPLE__)
-#include <dlfcn.h>
-#endif
 
 namespace
 {
@@ -51,7 +48,6 @@ private:
 vtkStandardNewMacro(vtkSSAOTestOutputWindow);
 
 //------------------------------------------------------------------------------
-#if defined(__unix__) && !defined(__APPLE__)
 constexpr unsigned int DebugOutput = 0x92E0;
 constexpr unsigned int DebugOutputSynchronous = 0x8242;
 constexpr unsigned int DebugTypeError = 0x824C;
@@ -67,7 +63,6 @@ void ReportOpenGLError(unsigned int, unsigned int type, unsigned int, unsigned i
 }
 
 using DebugCallback = decltype(&ReportOpenGLError);
-#endif
 }
 
 //------------------------------------------------------------------------------
@@ -135,21 +130,17 @@ bool vtkSSAOTestMonitor::ExpectAtMost(double got, double limit, const std::strin
 //------------------------------------------------------------------------------
 void vtkSSAOTestMonitor::Watch(vtkRenderWindow* window)
 {
-#if defined(__unix__) && !defined(__APPLE__)
   window->MakeCurrent();
   using Enable = void (*)(unsigned int);
   using SetCallback = void (*)(DebugCallback, const void*);
-  auto enable = reinterpret_cast<Enable>(dlsym(RTLD_DEFAULT, "glEnable"));
-  auto setCallback = reinterpret_cast<SetCallback>(dlsym(RTLD_DEFAULT, "glDebugMessageCallback"));
+  auto enable = reinterpret_cast<Enable>(vtkSSAOFindOpenGL("glEnable"));
+  auto setCallback = reinterpret_cast<SetCallback>(vtkSSAOFindOpenGL("glDebugMessageCallback"));
   if (enable && setCallback)
   {
     enable(DebugOutput);
     enable(DebugOutputSynchronous);
     setCallback(ReportOpenGLError, this);
   }
-#else
-  (void)window;
-#endif
 }
 
 //------------------------------------------------------------------------------
@@ -176,18 +167,13 @@ int vtkSSAOTestMonitor::GetResult()
 int vtkSSAOCountObjects(vtkRenderWindow* window, const std::string& kind)
 {
   int count = 0;
-#if defined(__unix__) && !defined(__APPLE__)
   window->MakeCurrent();
   using Predicate = unsigned char (*)(unsigned int);
-  auto is = reinterpret_cast<Predicate>(dlsym(RTLD_DEFAULT, ("glIs" + kind).c_str()));
+  auto is = reinterpret_cast<Predicate>(vtkSSAOFindOpenGL("glIs" + kind));
   for (unsigned int name = 1; is && name < 5000; ++name)
   {
     count += is(name) ? 1 : 0;
   }
-#else
-  (void)window;
-  (void)kind;
-#endif
   return count;
 }
 

@@ -38,8 +38,8 @@ void vtkSSAOAddCorner(vtkSSAOTestView& view, double scale = 1.0);
 void vtkSSAOLookAtCorner(vtkSSAOTestView& view, bool parallel, double scale = 1.0);
 
 /**
- * A floor (z = -0.4) and up to 9 spheres about z = 0 that sink into it, all of one material if one is
- * given, seen from above. Sets the camera. A good radius is .5.
+ * A floor (z = -0.4) and up to 9 spheres about z = 0 that sink into it, all of one material if one
+ * is given, seen from above. Sets the camera. A good radius is .5.
  */
 void vtkSSAOAddFloorAndSpheres(
   vtkRenderer* renderer, int spheres, double radius, vtkProperty* property = nullptr);

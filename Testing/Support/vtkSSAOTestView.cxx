@@ -18,6 +18,8 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtkWeakPointer.h"
 
+#include <cstdlib>
+#include <string>
 #include <utility>
 
 namespace
@@ -44,7 +46,16 @@ vtkSSAOTestView::vtkSSAOTestView(
   , Pass(vtkSmartPointer<vtkScreenSpaceAmbientOcclusionPass>::New())
   , Monitor(monitor)
 {
-  this->Window->SetOffScreenRendering(1);
+  if (const char* className = std::getenv("SSAO_TEST_WINDOW"))
+  {
+    // On screen, where the window has one.
+    monitor.Expect(this->Window->IsA(className),
+      std::string("the window is a ") + className + ", got " + this->Window->GetClassName());
+  }
+  else
+  {
+    this->Window->SetOffScreenRendering(1);
+  }
   this->Window->SetMultiSamples(multiSamples);
   this->Window->SetSize(width, height);
   this->Window->AddRenderer(this->Renderer);

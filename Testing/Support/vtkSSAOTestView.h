@@ -4,7 +4,8 @@
  * @brief   A window with one renderer and the pass, and what it shows.
  *
  * On destruction the window, the renderer and the pass must be the last references to themselves:
- * a leaked one fails the test.
+ * a leaked one fails the test. The environment variable SSAO_TEST_WINDOW names the class that the
+ * window must have.
  */
 
 #ifndef vtkSSAOTestView_h

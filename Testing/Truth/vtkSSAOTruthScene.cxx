@@ -39,18 +39,10 @@
 #include "vtkProperty.h"
 #include "vtkQuaternion.h"
 #include "vtkRenderer.h"
+#include "vtkSSAOTestCompatibility.h"
 #include "vtkScalarsToColors.h"
 #include "vtkSphereSource.h"
 #include "vtkTexture.h"
-#include "vtkVersionMacros.h"
-
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 0)
-#include "vtkCompositePolyDataMapper.h"
-typedef vtkCompositePolyDataMapper CompositeMapper;
-#else
-#include "vtkCompositePolyDataMapper2.h"
-typedef vtkCompositePolyDataMapper2 CompositeMapper;
-#endif
 
 #include <algorithm>
 #include <cmath>
@@ -512,7 +504,7 @@ void vtkSSAOTruthScene::AddPolyData(
 //------------------------------------------------------------------------------
 bool vtkSSAOTruthScene::AddComposite(vtkActor* actor, vtkMapper* mapper, const double matrix[16])
 {
-  CompositeMapper* composite = CompositeMapper::SafeDownCast(mapper);
+  vtkSSAOTestCompositeMapper* composite = vtkSSAOTestCompositeMapper::SafeDownCast(mapper);
   if (!composite)
   {
     return false;

@@ -65,7 +65,8 @@ public:
   void DisplayWarningText(const char* text) override
   {
     const std::string line = OneLine(text);
-    const bool damage = line.find("rror") != std::string::npos;
+    const bool damage =
+      line.find("rror") != std::string::npos || line.find("may fail") != std::string::npos;
     (damage ? this->Errors : this->Warnings).push_back(line);
   }
   void DisplayGenericWarningText(const char* text) override { this->DisplayWarningText(text); }

@@ -66,8 +66,8 @@ vec4 ssaoMoreSolidsAt(vec2 texel)
 float ssaoCertainty = 1.0;
 
 // What an estimator takes of its samples and directions: nothing for a pixel that needs no estimate.
-int kernelSize;
-int directions;
+int kernelSize = 0;
+int directions = 0;
 
 //SSAO::Estimator
 
