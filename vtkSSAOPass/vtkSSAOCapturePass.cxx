@@ -673,9 +673,12 @@ bool vtkSSAOCapturePass::PostReplaceShaderValues(std::string& vertexShader,
       "  vec3 Lo = vec3(0.0);\n  vec3 ssaoDirectDiffuse = vec3(0.0);\n", false);
     for (const std::string cosine : { "NdV", "NdL" })
     {
-      const std::string sum = "  Lo += radiance * (diffuse + specular) * " + cosine + ";\n";
-      vtkShaderProgram::Substitute(fragmentShader, sum,
-        sum + "  ssaoDirectDiffuse += radiance * diffuse * " + cosine + ";\n", true);
+      const std::string end = cosine + ";\n";
+      const std::string sum = "  Lo += radiance * (diffuse + specular) * " + end;
+      std::string sums = sum;
+      sums += "  ssaoDirectDiffuse += radiance * diffuse * ";
+      sums += end;
+      vtkShaderProgram::Substitute(fragmentShader, sum, sums, true);
     }
     vtkShaderProgram::Substitute(fragmentShader, "  color += Lo;\n",
       "  vec3 ssaoImageBased = color;\n  color += Lo;\n", false);
