@@ -241,6 +241,7 @@ constexpr int LargestKernel = 1024;
 constexpr int LargestNoise = 64;
 constexpr int LargestDirections = 64;
 constexpr int LargestDownsampling = 4;
+constexpr int FewestDirectionsRefined = 3;
 }
 
 //------------------------------------------------------------------------------
@@ -606,11 +607,13 @@ bool vtkScreenSpaceAmbientOcclusionPass::RemoveNoise(const vtkSSAOView& view)
 bool vtkScreenSpaceAmbientOcclusionPass::RefineEdges(const vtkSSAOView& view)
 {
   Pipeline& stages = *this->Stages;
-  const vtkSSAOOcclusionSettings settings = vtkSSAOOcclusionSettings::Of(this);
+  vtkSSAOOcclusionSettings settings = vtkSSAOOcclusionSettings::Of(this);
   if (!this->Refinement || settings.Downsampling == 1)
   {
     return true;
   }
+  // No denoiser makes one slice of them many.
+  settings.Directions = std::max(settings.Directions, FewestDirectionsRefined);
   if (!stages.Refine.Render(view, settings, stages.Geometry, stages.Layers, stages.Visibility))
   {
     return false;

@@ -319,7 +319,7 @@ public:
   ///@{
   /**
    * With Downsampling: where the interpolated visibility of a pixel came mostly from other surfaces
-   * than its own, it is estimated at the pixel itself, with all samples and without denoising.
+   * than its own, it is estimated at the pixel itself, in 3 directions at least, not denoised.
    * Matters where things are a few pixels wide. Default off.
    */
   vtkSetMacro(Refinement, bool);

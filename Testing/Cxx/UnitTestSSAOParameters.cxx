@@ -64,8 +64,8 @@ std::vector<Parameter> Parameters()
     PARAMETER(Layers, 5.0, true, { 1, 2, 5, 9 }, { 0, -1, 10, 2147483647 }),
     PARAMETER(Thickness, 0.0, false, { 0.0, 1.0e-30, 0.5, 1.0e30 }, with({ -1.0, -1.0e-30 })),
     PARAMETER(Downsampling, 2.0, true, { 1, 2, 4 }, { 0, -1, 5, 2147483647 }),
-    PARAMETER(Directions, 2.0, true, { 1, 7, 64 }, { 0, -1, 65, 2147483647 }),
-    PARAMETER(Steps, 6.0, true, { 1, 7, 64 }, { 0, -1, 65, 2147483647 }),
+    PARAMETER(Directions, 1.0, true, { 1, 7, 64 }, { 0, -1, 65, 2147483647 }),
+    PARAMETER(Steps, 10.0, true, { 1, 7, 64 }, { 0, -1, 65, 2147483647 }),
     PARAMETER(AngleBias, 30.0, false, { 0.0, 45.0, 89.0 }, with({ -0.1, 89.5, 90.0 })),
     PARAMETER(Refinement, 0.0, true, { 0, 1 }, {}),
     PARAMETER(HalfRule, 1.0, true, { 0, 1 }, {}),
@@ -137,7 +137,7 @@ void TestOthers(vtkSSAOTestMonitor& test)
 
   // Estimator, slices, samples to a side, noise, downsampling.
   const int wanted[][5] = { { Pass::ExactHorizon, 1, 8, 4, 2 },
-    { Pass::LayeredBitmask, 2, 6, 4, 2 }, { Pass::LayeredBitmask, 4, 12, 3, 2 } };
+    { Pass::LayeredBitmask, 1, 10, 4, 2 }, { Pass::LayeredBitmask, 3, 14, 3, 2 } };
   const std::function<void()> presets[] = { [&] { pass->SetQualityToFast(); },
     [&] { pass->SetQualityToBalanced(); }, [&] { pass->SetQualityToAccurate(); } };
   for (int preset = 0; preset < 3; ++preset)
