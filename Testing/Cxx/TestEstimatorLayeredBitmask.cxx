@@ -83,9 +83,10 @@ void TestPlate(vtkSSAOTestMonitor& test)
     // As asked for; half of it are 24 samples instead of all pixels.
     test.ExpectAtMost(layered.Largest, 0.05, what + "16x24: largest difference of V from rays");
     test.ExpectNear(layered.Bias, 0.0, 0.02, what + "16x24: mean difference of V from rays");
-    // The presets' samples lie up to a fifth and a seventh of the radius apart, as wide as the strip of
-    // the plate in the picture is at that distance: some sides miss it. Balanced has but one slice for
-    // each pixel, and 16 for what the denoiser averages, all with other shifts of their samples.
+    // The presets' samples lie up to a fifth and a seventh of the radius apart, as wide as the
+    // strip of the plate in the picture is at that distance: some sides miss it. Balanced has but
+    // one slice for each pixel, and 16 for what the denoiser averages, all with other shifts of
+    // their samples.
     const double largest[] = { 0.0, 0.18, 0.12 };
     const double mean[] = { 0.0, 0.065, 0.05 };
     for (int preset : { 1, 2 })

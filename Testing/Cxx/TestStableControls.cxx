@@ -32,7 +32,8 @@ double BadPixels(const vtkSSAOTestImage& v)
 void TestRadius(vtkSSAOTestMonitor& test)
 {
   vtkSSAOStability rise(test, "Radius from below a pixel to beyond the scene",
-    "largest rise of the mean V", vtkSSAOStability::AtMost, 2.4e-7); // two roundings of float32 near 1
+    "largest rise of the mean V", vtkSSAOStability::AtMost,
+    2.4e-7); // two roundings of float32 near 1
   vtkSSAOStability bad(
     test, "Radius 1e-30 to 1e30", "pixels with V not from 0 to 1", vtkSSAOStability::AtMost, 0.0);
   vtkSSAOTestView view(test, 150, 100);
