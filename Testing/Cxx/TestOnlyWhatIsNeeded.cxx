@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Work that changes nothing is not done, and leaving it out changes nothing: an unchanged frame
-// keeps its visibility, pixels without surfaces are not estimated, and layers are drawn for the
-// estimator that looks at them only.
+// keeps its visibility, pixels without surfaces are not estimated, layers are drawn for the
+// estimator that looks at them only, and light that is the whole colour is not captured.
 
 #include "vtkActor.h"
+#include "vtkActorCollection.h"
 #include "vtkCamera.h"
 #include "vtkImageData.h"
 #include "vtkMapper.h"
@@ -121,6 +122,37 @@ void TestEmptyScreen(vtkSSAOTestMonitor& test, int preset)
   test.ExpectEqual(vtkSSAOLargestDifference(partly, wholly), 0.0,
     what + "largest difference of V with the whole screen estimated");
 }
+
+//------------------------------------------------------------------------------
+// A highlight too weak to be seen: what may be occluded is no more the whole colour, but looks
+// alike.
+void TestCapturedLight(vtkSSAOTestMonitor& test)
+{
+  vtkSSAOTestView view(test, 120, 90);
+  vtkSSAOAddStillLife(view);
+  vtkSSAOLookAtStillLife(view, false);
+  const auto setHighlights = [&](double specular)
+  {
+    vtkCollectionSimpleIterator it;
+    vtkActorCollection* actors = view.Renderer->GetActors();
+    actors->InitTraversal(it);
+    while (vtkActor* actor = actors->GetNextActor(it))
+    {
+      actor->GetProperty()->SetDiffuse(0.6); // with the highlight it fits into the picture
+      actor->GetProperty()->SetSpecular(specular);
+    }
+  };
+  setHighlights(0.0);
+  const vtkSmartPointer<vtkImageData> whole = view.Picture();
+  const unsigned long memory = view.Pass->GetTextureMemory();
+  setHighlights(1.0e-6);
+  const vtkSmartPointer<vtkImageData> parts = view.Picture();
+  test.ExpectEqual(double(view.Pass->GetTextureMemory() - memory), 120 * 90 * 16,
+    "bytes for the light that may be occluded, where it is not the whole colour");
+  // Each way rounds the picture's eight bits in its own way.
+  test.ExpectAtMost(vtkSSAOImageCompare::Difference(parts, whole, 0).Largest, 1,
+    "largest difference in 1/255 to the picture from the whole colour");
+}
 }
 
 //------------------------------------------------------------------------------
@@ -132,6 +164,8 @@ int TestOnlyWhatIsNeeded(int, char*[])
     TestUnchangedFrames(test, preset);
     TestEmptyScreen(test, preset);
   }
+
+  TestCapturedLight(test);
 
   vtkSSAOTestView view(test, 60, 40);
   vtkSSAOAddStillLife(view);
