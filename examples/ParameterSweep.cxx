@@ -123,15 +123,6 @@ std::vector<Row> SampleRows(double diagonal)
       pass->SetDenoiser(type);
     };
   };
-  const auto refinement = [](int downsampling, bool refine)
-  {
-    return [=](Pass* pass)
-    {
-      ShowOcclusion(pass);
-      pass->SetDownsampling(downsampling);
-      pass->SetRefinement(refine);
-    };
-  };
   return {
     Sweep("directions", ShowNoise, { 1, 2, 4, 8, 16 },
       [](Pass* pass, double value) { pass->SetDirections(static_cast<int>(value)); }),
@@ -149,9 +140,12 @@ std::vector<Row> SampleRows(double diagonal)
       { "edge-aware", denoiser(Pass::EdgeAware) } },
     Sweep("downsampling", ShowOcclusion, { 1, 2, 3, 4 },
       [](Pass* pass, double value) { pass->SetDownsampling(static_cast<int>(value)); }),
-    { { "downsampling 2, not refined", refinement(2, false) },
-      { "2, refined", refinement(2, true) }, { "4, not refined", refinement(4, false) },
-      { "4, refined", refinement(4, true) } },
+    Sweep("layer downsampling, of every pixel", ShowOcclusion, { 1, 2, 3, 4 },
+      [](Pass* pass, double value)
+      {
+        pass->SetDownsampling(1);
+        pass->SetLayerDownsampling(static_cast<int>(value));
+      }),
   };
 }
 

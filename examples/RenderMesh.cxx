@@ -208,8 +208,8 @@ std::vector<Option> PassOptions(Pass* pass)
       "Edge of the tile of random rotations, pixels.", preset },
     { "--downsampling", "N", Whole(1, 4, [=](int n) { pass->SetDownsampling(n); }),
       "One pixel of N x N is estimated, the others interpolated, with edge-aware.", preset },
-    { "--refinement", "NAME", Choice(Switches, [=](int on) { pass->SetRefinement(on != 0); }),
-      "Pixels that cannot be interpolated on their own surface are estimated too.", preset },
+    { "--layer-downsampling", "N", Whole(1, 4, [=](int n) { pass->SetLayerDownsampling(n); }),
+      "Layers are looked for at one pixel of N x N.", preset },
     { "--bias", "B", { "0 or more, or auto", setBias },
       "How far a surface lies in front of a sample that it hides, world units; auto is 0.05 of "
       "the radius for hemisphere, else 0.",

@@ -34,17 +34,15 @@ struct Stage
   const char* Name;
   Pass::OutputModeType OutputMode;
   bool Denoised;
-  bool Refined;
 };
 
 const Stage Stages[] = {
-  { "1_unoccluded", Pass::Unoccluded, true, true },
-  { "2_depth", Pass::Depth, true, true },
-  { "3_normal", Pass::Normal, true, true },
-  { "5_occlusion_raw", Pass::Occlusion, false, false },
-  { "6_occlusion_denoised", Pass::Occlusion, true, false },
-  { "7_occlusion_refined", Pass::Occlusion, true, true },
-  { "8_composite", Pass::Composite, true, true },
+  { "1_unoccluded", Pass::Unoccluded, true },
+  { "2_depth", Pass::Depth, true },
+  { "3_normal", Pass::Normal, true },
+  { "5_occlusion_raw", Pass::Occlusion, false },
+  { "6_occlusion_denoised", Pass::Occlusion, true },
+  { "7_composite", Pass::Composite, true },
 };
 const char* const SolidsName = "4_solids";
 
@@ -128,7 +126,6 @@ int main(int argc, char* argv[])
   {
     pass->SetOutputMode(stage.OutputMode);
     pass->SetDenoiser(stage.Denoised ? Pass::EdgeAware : Pass::None);
-    pass->SetRefinement(stage.Refined);
     window->Render();
     vtkNew<vtkWindowToImageFilter> picture;
     picture->SetInput(window);

@@ -6,6 +6,7 @@
 #include "vtkSSAOPass3BoxFS.h"
 #include "vtkSSAOPass3EdgeAwareFS.h"
 #include "vtkSSAOPass3InterpolateFS.h"
+#include "vtkSSAOPass3Interpolation.h"
 #include "vtkSSAOPass3SeparableGaussianFS.h"
 #include "vtkSSAOPassViewFS.h"
 #include "vtkSSAOView.h"
@@ -58,22 +59,50 @@ bool vtkSSAODenoiseStage::Render(const vtkSSAOView& view, const vtkSSAODenoiseSe
   }
   if (settings.Downsampling > 1)
   {
-    vtkTextureObject* coarse = visibility;
-    if (settings.NoiseSize > 1)
-    {
-      if (!this->DrawStep(
-            view, settings, vtkSSAOPass3EdgeAwareFS, true, geometry, visibility, &this->Between))
-      {
-        return false;
-      }
-      coarse = this->Between;
-    }
-    return this->DrawStep(
-      view, settings, vtkSSAOPass3InterpolateFS, true, geometry, coarse, nullptr);
+    vtkTextureObject* estimated = this->DenoiseEstimated(view, settings, geometry, visibility);
+    return estimated && this->Interpolate(view, settings, geometry, estimated);
   }
   this->Between = nullptr;
   return this->DrawStep(
     view, settings, DenoiserSource(settings.Denoiser), true, geometry, visibility, nullptr);
+}
+
+//------------------------------------------------------------------------------
+vtkTextureObject* vtkSSAODenoiseStage::DenoiseEstimated(const vtkSSAOView& view,
+  const vtkSSAODenoiseSettings& settings, vtkTextureObject* geometry, vtkTextureObject* visibility)
+{
+  if (settings.NoiseSize == 1)
+  {
+    this->Between = nullptr;
+    return visibility;
+  }
+  return this->DrawStep(
+           view, settings, vtkSSAOPass3EdgeAwareFS, true, geometry, visibility, &this->Between)
+    ? this->Between
+    : nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool vtkSSAODenoiseStage::Interpolate(const vtkSSAOView& view,
+  const vtkSSAODenoiseSettings& settings, vtkTextureObject* geometry, vtkTextureObject* estimated)
+{
+  return this->DrawStep(
+    view, settings, vtkSSAOPass3InterpolateFS, true, geometry, estimated, nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkSSAODenoiseStage::SetUniforms(vtkShaderProgram* program, const vtkSSAOView& view,
+  int downsampling, vtkTextureObject* geometry, vtkTextureObject* visibility)
+{
+  view.SetUniforms(program);
+  program->SetUniformi("geometry", geometry->GetTextureUnit());
+  program->SetUniformi("visibility", visibility->GetTextureUnit());
+  program->SetUniformf("downsampling", static_cast<float>(downsampling));
+  const float coarseTexelSize[2] = { 1.0F / visibility->GetWidth(),
+    1.0F / visibility->GetHeight() };
+  program->SetUniform2f("coarseTexelSize", coarseTexelSize);
+  const glm::vec4 estimated(view.Coarse(downsampling).Drawn);
+  program->SetUniform4f("estimated", &estimated[0]);
 }
 
 //------------------------------------------------------------------------------
@@ -85,6 +114,7 @@ bool vtkSSAODenoiseStage::DrawStep(const vtkSSAOView& view, const vtkSSAODenoise
   std::string source = shader;
   vtkShaderProgram::Substitute(source, "//SSAO::Functions", vtkSSAOPass0Functions);
   vtkShaderProgram::Substitute(source, "//SSAO::View", vtkSSAOPassViewFS);
+  vtkShaderProgram::Substitute(source, "//SSAO::Interpolation", vtkSSAOPass3Interpolation);
   vtkShaderProgram* program = this->UseProgram(view.Window, source);
   if (!program)
   {
@@ -92,23 +122,14 @@ bool vtkSSAODenoiseStage::DrawStep(const vtkSSAOView& view, const vtkSSAODenoise
   }
   geometry->Activate();
   visibility->Activate();
-  view.SetUniforms(program);
-  program->SetUniformi("geometry", geometry->GetTextureUnit());
-  program->SetUniformi("visibility", visibility->GetTextureUnit());
+  SetUniforms(program, view, settings.Downsampling, geometry, visibility);
   program->SetUniformi("noiseSize", settings.NoiseSize);
-  program->SetUniformf("downsampling", static_cast<float>(settings.Downsampling));
-  const float coarseTexelSize[2] = { 1.0F / visibility->GetWidth(),
-    1.0F / visibility->GetHeight() };
-  program->SetUniform2f("coarseTexelSize", coarseTexelSize);
-  const vtkSSAOView estimatedView = view.Coarse(settings.Downsampling);
-  const glm::vec4 estimated(estimatedView.Drawn);
-  program->SetUniform4f("estimated", &estimated[0]);
   const float axis[2] = { across ? 1.0F : 0.0F, across ? 0.0F : 1.0F };
   program->SetUniform2f("axis", axis);
   program->SetUniformf("largestStep", static_cast<float>(0.5 * settings.Radius));
   // A target in between has one pixel for each that was estimated: visibility, depth and certainty.
-  const bool drawn = target ? this->DrawToTexture(estimatedView, 4, *target)
-                            : this->DrawToOutput(view, settings.Downsampling > 1 ? 2 : 1);
+  const bool drawn = target ? this->DrawToTexture(view.Coarse(settings.Downsampling), 4, *target)
+                            : this->DrawToOutput(view, 1);
   visibility->Deactivate();
   geometry->Deactivate();
   return drawn;

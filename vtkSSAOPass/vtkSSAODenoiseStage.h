@@ -26,6 +26,25 @@ public:
   bool Render(const vtkSSAOView& view, const vtkSSAODenoiseSettings& settings,
     vtkTextureObject* geometry, vtkTextureObject* visibility);
 
+  ///@{
+  /**
+   * The two parts of Render with downsampling: the estimated pixels denoised, (visibility, depth),
+   * or nullptr on failure; and the others interpolated from these into the output texture.
+   */
+  vtkTextureObject* DenoiseEstimated(const vtkSSAOView& view,
+    const vtkSSAODenoiseSettings& settings, vtkTextureObject* geometry,
+    vtkTextureObject* visibility);
+  bool Interpolate(const vtkSSAOView& view, const vtkSSAODenoiseSettings& settings,
+    vtkTextureObject* geometry, vtkTextureObject* estimated);
+  ///@}
+
+  /**
+   * Set what a program needs that looks visibility up at estimated pixels, one of each square of
+   * the edge downsampling. Both textures are active.
+   */
+  static void SetUniforms(vtkShaderProgram* program, const vtkSSAOView& view, int downsampling,
+    vtkTextureObject* geometry, vtkTextureObject* visibility);
+
   void ReleaseGraphicsResources(vtkWindow* window) override;
   unsigned long GetTextureMemory() const override;
 

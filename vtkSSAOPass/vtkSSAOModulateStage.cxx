@@ -3,9 +3,12 @@
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+#include "vtkSSAODenoiseStage.h"
 #include "vtkSSAOOpenGL.h"
 #include "vtkSSAOPass0Functions.h"
+#include "vtkSSAOPass3Interpolation.h"
 #include "vtkSSAOPass4ModulateFS.h"
+#include "vtkSSAOPassViewFS.h"
 #include "vtkSSAOScopedBlendEquation.h"
 #include "vtkSSAOView.h"
 #include "vtkShaderProgram.h"
@@ -17,52 +20,45 @@
 
 //------------------------------------------------------------------------------
 bool vtkSSAOModulateStage::Render(const vtkSSAOView& view, const vtkSSAOStrength& strength,
-  vtkTextureObject* geometry, vtkTextureObject* visibility, vtkTextureObject* occludable,
-  vtkTextureObject* lit)
+  int downsampling, vtkTextureObject* geometry, vtkTextureObject* visibility,
+  vtkTextureObject* occludable, vtkTextureObject* lit)
 {
   std::string source = vtkSSAOPass4ModulateFS;
   vtkShaderProgram::Substitute(source, "//SSAO::Samples::Dec",
     std::string(view.Samples ? "#extension GL_ARB_sample_shading : require\n"
                                "#define SSAO_MULTISAMPLE\n"
                              : "") +
-      (occludable ? "" : "#define SSAO_ALL_OCCLUDABLE\n"));
+      (occludable ? "" : "#define SSAO_ALL_OCCLUDABLE\n") +
+      (downsampling > 1 ? "#define SSAO_INTERPOLATED\n" : ""));
   vtkShaderProgram::Substitute(source, "//SSAO::Functions", vtkSSAOPass0Functions);
+  vtkShaderProgram::Substitute(source, "//SSAO::View", vtkSSAOPassViewFS);
+  vtkShaderProgram::Substitute(source, "//SSAO::Interpolation", vtkSSAOPass3Interpolation);
   vtkShaderProgram* program = this->UseProgram(view.Window, source);
   if (!program)
   {
     return false;
   }
-  std::vector<vtkTextureObject*> inputs = { visibility };
+  std::vector<vtkTextureObject*> inputs = { geometry, visibility };
   if (occludable)
   {
     inputs.push_back(occludable);
     inputs.push_back(lit ? lit : occludable);
   }
-  else
-  {
-    inputs.push_back(geometry);
-  }
   for (vtkTextureObject* input : inputs)
   {
     input->Activate();
   }
-  const float texelSize[2] = { 1.0F / view.TextureSize.x, 1.0F / view.TextureSize.y };
   const float values[4] = { static_cast<float>(strength.Power),
     static_cast<float>(strength.Intensity), static_cast<float>(strength.Scale),
     static_cast<float>(strength.Shift) };
-  program->SetUniformi("visibility", visibility->GetTextureUnit());
+  vtkSSAODenoiseStage::SetUniforms(program, view, downsampling, geometry, visibility);
   if (occludable)
   {
     program->SetUniformi("occludable", occludable->GetTextureUnit());
     program->SetUniformi("lit", (lit ? lit : occludable)->GetTextureUnit());
   }
-  else
-  {
-    program->SetUniformi("geometry", geometry->GetTextureUnit());
-  }
   program->SetUniformi("haveLit", lit ? 1 : 0);
   program->SetUniformf("white", view.Clamped ? 1.0F : std::numeric_limits<float>::max());
-  program->SetUniform2f("texelSize", texelSize);
   program->SetUniform4f("strength", values);
 
   vtkOpenGLState* state = view.Window->GetState();

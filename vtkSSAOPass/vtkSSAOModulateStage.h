@@ -27,12 +27,14 @@ class vtkSSAOModulateStage : public vtkSSAOFullScreenStage
 {
 public:
   /**
-   * geometry and visibility: one sample per pixel; occludable and lit (may be nullptr) as captured.
-   * Without occludable light the whole colour of the surfaces is. False on failure: then the
-   * picture is as it was.
+   * geometry and visibility: one sample per pixel; or with downsampling above 1, visibility of one
+   * pixel of each square of that edge, interpolated here. occludable and lit (may be nullptr) as
+   * captured. Without occludable light the whole colour of the surfaces is. False on failure: then
+   * the picture is as it was.
    */
-  bool Render(const vtkSSAOView& view, const vtkSSAOStrength& strength, vtkTextureObject* geometry,
-    vtkTextureObject* visibility, vtkTextureObject* occludable, vtkTextureObject* lit);
+  bool Render(const vtkSSAOView& view, const vtkSSAOStrength& strength, int downsampling,
+    vtkTextureObject* geometry, vtkTextureObject* visibility, vtkTextureObject* occludable,
+    vtkTextureObject* lit);
 };
 
 #endif

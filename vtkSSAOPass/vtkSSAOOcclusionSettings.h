@@ -36,6 +36,7 @@ struct vtkSSAOOcclusionSettings
   int Steps = 4;
   double AngleBias = 30.0;
   int Downsampling = 1;
+  int LayerDownsampling = 1;
   int Layers = 5;
   double Sheet = 0.1;      ///< thickness of what has no known back, world units
   bool SheetsOnly = false; ///< every surface is that thick
@@ -73,6 +74,7 @@ struct vtkSSAOOcclusionSettings
     settings.Downsampling = pass->GetDenoiser() == vtkScreenSpaceAmbientOcclusionPass::EdgeAware
       ? pass->GetDownsampling()
       : 1;
+    settings.LayerDownsampling = std::max(pass->GetLayerDownsampling(), settings.Downsampling);
     settings.SheetsOnly = pass->GetThickness() > 0.0;
     settings.Sheet = settings.SheetsOnly ? pass->GetThickness() : 0.1 * settings.Radius;
     return settings;

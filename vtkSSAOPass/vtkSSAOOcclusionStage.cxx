@@ -31,12 +31,6 @@ namespace
 {
 using Pass = vtkScreenSpaceAmbientOcclusionPass;
 
-// The share of its own surface in a pixel's interpolated visibility up to which the pixel is
-// estimated itself, and from which it is not; between them both are mixed, so that rounding does
-// not decide. Of four neighbours halfway, two on the surface have 0.5 and three 0.75.
-constexpr float EstimatedShare = 0.55F;
-constexpr float InterpolatedShare = 0.7F;
-
 //------------------------------------------------------------------------------
 // The shader of an estimator, which defines ssaoVisibility().
 const char* EstimatorSource(int estimator)
@@ -141,13 +135,11 @@ void vtkSSAOOcclusionStage::UpdateSamples(
 //------------------------------------------------------------------------------
 bool vtkSSAOOcclusionStage::Render(const vtkSSAOView& view,
   const vtkSSAOOcclusionSettings& settings, vtkTextureObject* geometry,
-  const vtkSSAOLayerStage& layers, vtkTextureObject* interpolated)
+  const vtkSSAOLayerStage& layers)
 {
   this->UpdateSamples(view, settings);
 
   std::string source = vtkSSAOPass2OcclusionFS;
-  vtkShaderProgram::Substitute(
-    source, "//SSAO::Refined", interpolated ? "#define SSAO_REFINED" : "");
   vtkShaderProgram::Substitute(
     source, "//SSAO::Functions", std::string(vtkSSAOPass0Functions) + vtkSSAOPass0SliceFunctions);
   vtkShaderProgram::Substitute(source, "//SSAO::View", vtkSSAOPassViewFS);
@@ -163,10 +155,6 @@ bool vtkSSAOOcclusionStage::Render(const vtkSSAOView& view,
     inputs.push_back(layers.GetSolids());
     inputs.push_back(layers.GetMoreSolids());
   }
-  if (interpolated)
-  {
-    inputs.push_back(interpolated);
-  }
   for (vtkTextureObject* input : inputs)
   {
     input->Activate();
@@ -176,8 +164,7 @@ bool vtkSSAOOcclusionStage::Render(const vtkSSAOView& view,
   program->SetUniformi("kernelTexture", this->Kernel->GetTextureUnit());
   program->SetUniformi("noiseTexture", this->Noise->GetTextureUnit());
   SetUniforms(program, settings);
-  const int downsampling = interpolated ? 1 : settings.Downsampling;
-  program->SetUniformf("downsampling", static_cast<float>(downsampling));
+  program->SetUniformf("downsampling", static_cast<float>(settings.Downsampling));
   if (settings.LooksBehind())
   {
     const float texelSize[2] = { 1.0F / layers.GetSolids()->GetWidth(),
@@ -187,13 +174,7 @@ bool vtkSSAOOcclusionStage::Render(const vtkSSAOView& view,
     program->SetUniform4f("solidsPlace", &layers.GetPixelOfTexel()[0]);
     program->SetUniform2f("solidsTexelSize", texelSize);
   }
-  if (interpolated)
-  {
-    program->SetUniformi("interpolated", interpolated->GetTextureUnit());
-    const float shares[2] = { EstimatedShare, InterpolatedShare };
-    program->SetUniform2f("shares", shares);
-  }
-  const bool drawn = this->DrawToOutput(view.Coarse(downsampling), interpolated ? 1 : 4);
+  const bool drawn = this->DrawToOutput(view.Coarse(settings.Downsampling), 4);
   for (vtkTextureObject* input : inputs)
   {
     input->Deactivate();

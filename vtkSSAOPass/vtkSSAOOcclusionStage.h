@@ -18,14 +18,11 @@ public:
   /**
    * Draws V, depth and certainty to the output texture: 1 open, 0 closed, 1 and depth 0 where
    * there is no surface.
-   * geometry has one sample per pixel; layers is drawn if the estimator looks behind it. With
-   * interpolated, (visibility, share of it that came from the pixel's own surface) of every pixel,
-   * the output is that visibility, but for pixels with too small a share, which are estimated.
+   * geometry has one sample per pixel; layers is drawn if the estimator looks behind it.
    * False on failure.
    */
   bool Render(const vtkSSAOView& view, const vtkSSAOOcclusionSettings& settings,
-    vtkTextureObject* geometry, const vtkSSAOLayerStage& layers,
-    vtkTextureObject* interpolated = nullptr);
+    vtkTextureObject* geometry, const vtkSSAOLayerStage& layers);
 
   void ReleaseGraphicsResources(vtkWindow* window) override;
   unsigned long GetTextureMemory() const override;

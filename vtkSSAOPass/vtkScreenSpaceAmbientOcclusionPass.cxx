@@ -241,7 +241,6 @@ constexpr int LargestKernel = 1024;
 constexpr int LargestNoise = 64;
 constexpr int LargestDirections = 64;
 constexpr int LargestDownsampling = 4;
-constexpr int FewestDirectionsRefined = 3;
 }
 
 //------------------------------------------------------------------------------
@@ -261,7 +260,6 @@ public:
   vtkSSAOLayerStage Layers;
   vtkSSAOOcclusionStage Occlusion;
   vtkSSAODenoiseStage Denoise;
-  vtkSSAOOcclusionStage Refine;
   vtkSSAOModulateStage Modulate;
   vtkSSAODisplayStage Display;
 
@@ -269,11 +267,13 @@ public:
   vtkTextureObject* Geometry = nullptr;   ///< of this frame, one sample per pixel
   vtkTextureObject* Visibility = nullptr; ///< of this frame, denoised
   bool HasSolids = false;                 ///< whether the layer stage holds this frame's
-  glm::ivec4 Viewport = glm::ivec4(0);    ///< of this frame within these textures
-  double DepthOrigin = 0.0;               ///< of this frame, see vtkSSAOView
-  glm::ivec4 Estimated = glm::ivec4(0);   ///< part of this frame's estimated pixels that was drawn
-  bool Reused = false;                    ///< whether this frame's visibility is the last one's
-  std::vector<double> Frame;              ///< what the last visibility depends on
+  int Unestimated = 1; ///< edge of the squares of which Visibility holds one pixel only
+  std::unique_ptr<vtkSSAOView> LastView; ///< of this frame, where that is above 1
+  glm::ivec4 Viewport = glm::ivec4(0);   ///< of this frame within these textures
+  double DepthOrigin = 0.0;              ///< of this frame, see vtkSSAOView
+  glm::ivec4 Estimated = glm::ivec4(0);  ///< part of this frame's estimated pixels that was drawn
+  bool Reused = false;                   ///< whether this frame's visibility is the last one's
+  std::vector<double> Frame;             ///< what the last visibility depends on
   vtkSmartPointer<vtkTextureObject> LastVisibility;
   vtkSmartPointer<vtkTextureObject> VisibilityOfTile; ///< of this frame, if it is a tile
   bool Warned = false;
@@ -282,10 +282,10 @@ public:
   std::array<double, NumberOfStages> Times{};
   std::chrono::steady_clock::time_point StageStart;
 
-  std::array<const vtkSSAOFullScreenStage*, 7> FullScreenStages() const
+  std::array<const vtkSSAOFullScreenStage*, 6> FullScreenStages() const
   {
-    return { &this->Resolve, &this->Layers, &this->Occlusion, &this->Denoise, &this->Refine,
-      &this->Modulate, &this->Display };
+    return { &this->Resolve, &this->Layers, &this->Occlusion, &this->Denoise, &this->Modulate,
+      &this->Display };
   }
 
   void ReleaseGraphicsResources(vtkWindow* window)
@@ -298,11 +298,11 @@ public:
     this->Layers.ReleaseGraphicsResources(window);
     this->Occlusion.ReleaseGraphicsResources(window);
     this->Denoise.ReleaseGraphicsResources(window);
-    this->Refine.ReleaseGraphicsResources(window);
     this->Modulate.ReleaseGraphicsResources(window);
     this->Display.ReleaseGraphicsResources(window);
     this->Geometry = nullptr;
     this->Visibility = nullptr;
+    this->Unestimated = 1;
     this->HasSolids = false;
     this->Frame.clear();
     this->VisibilityOfTile = nullptr;
@@ -329,6 +329,7 @@ void vtkScreenSpaceAmbientOcclusionPass::Render(const vtkRenderState* s)
   stages.Geometry = nullptr;
   stages.Visibility = nullptr;
   stages.HasSolids = false;
+  stages.Unestimated = 1;
   stages.VisibilityOfTile = nullptr;
   stages.Reused = false;
   stages.Times.fill(0.0);
@@ -445,7 +446,7 @@ int vtkScreenSpaceAmbientOcclusionPass::RenderOpaqueWithOcclusion(const vtkRende
   const bool shaded = nothingToShade ||
     ((known || this->ReuseVisibility(view) ||
        (this->FindLayers(s, view) && this->ComputeOcclusion(view) && this->RemoveNoise(view) &&
-         this->RefineEdges(view) && this->KeepVisibility())) &&
+         this->KeepVisibility())) &&
       this->ModulateLight(view));
   if (!shaded)
   {
@@ -508,7 +509,7 @@ void vtkScreenSpaceAmbientOcclusionPass::FindVisibilityOfTile(const vtkSSAOView&
   }
   stages.Geometry = stages.Capture->GetGeometry();
   if (stages.Capture->HasSurfaces() && this->FindLayers(s, view) && this->ComputeOcclusion(view) &&
-    this->RemoveNoise(view) && this->RefineEdges(view))
+    this->RemoveNoise(view))
   {
     stages.VisibilityOfTile = margin.CutTile(stages.Visibility);
   }
@@ -528,6 +529,7 @@ bool vtkScreenSpaceAmbientOcclusionPass::ReuseVisibility(const vtkSSAOView& view
   if (stages.Reused)
   {
     stages.Visibility = stages.LastVisibility;
+    this->PostponeInterpolation(view);
     stages.HasSolids = vtkSSAOOcclusionSettings::Of(this).LooksBehind();
     return true;
   }
@@ -556,7 +558,7 @@ bool vtkScreenSpaceAmbientOcclusionPass::FindLayers(
   }
   vtkSSAOLayerSettings layers;
   layers.Layers = settings.Layers;
-  layers.Downsampling = settings.Downsampling;
+  layers.Downsampling = settings.LayerDownsampling;
   layers.Radius = settings.Radius;
   layers.Sheet = settings.Sheet;
   layers.SheetsOnly = settings.SheetsOnly;
@@ -589,38 +591,62 @@ bool vtkScreenSpaceAmbientOcclusionPass::RemoveNoise(const vtkSSAOView& view)
   {
     return true;
   }
+  const vtkSSAODenoiseSettings settings = this->DenoiseSettings();
+  if (this->PostponeInterpolation(view))
+  {
+    stages.Visibility =
+      stages.Denoise.DenoiseEstimated(view, settings, stages.Geometry, stages.Visibility);
+  }
+  else
+  {
+    stages.Visibility = stages.Denoise.Render(view, settings, stages.Geometry, stages.Visibility)
+      ? stages.Denoise.GetOutput()
+      : nullptr;
+  }
+  this->TimeStage(DenoiseStage, view);
+  return stages.Visibility != nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkSSAODenoiseSettings vtkScreenSpaceAmbientOcclusionPass::DenoiseSettings() const
+{
   vtkSSAODenoiseSettings settings;
   settings.Denoiser = this->Denoiser;
   settings.NoiseSize = this->NoiseSize;
-  settings.Downsampling = downsampling;
-  settings.Radius = stages.EffectiveRadius;
-  if (!stages.Denoise.Render(view, settings, stages.Geometry, stages.Visibility))
+  settings.Downsampling = this->Denoiser == EdgeAware ? this->Downsampling : 1;
+  settings.Radius = this->Stages->EffectiveRadius;
+  return settings;
+}
+
+//------------------------------------------------------------------------------
+bool vtkScreenSpaceAmbientOcclusionPass::PostponeInterpolation(const vtkSSAOView& view)
+{
+  // A texture of the interpolated visibility is worth its time only to what looks at it again.
+  Pipeline& stages = *this->Stages;
+  const int downsampling = this->DenoiseSettings().Downsampling;
+  if (downsampling == 1 || this->OutputMode != Composite || view.Samples ||
+    vtkSSAOTileMargin::IsNeeded(view))
   {
     return false;
   }
-  stages.Visibility = stages.Denoise.GetOutput();
-  this->TimeStage(DenoiseStage, view);
+  stages.Unestimated = downsampling;
+  stages.LastView = std::make_unique<vtkSSAOView>(view);
   return true;
 }
 
 //------------------------------------------------------------------------------
-bool vtkScreenSpaceAmbientOcclusionPass::RefineEdges(const vtkSSAOView& view)
+void vtkScreenSpaceAmbientOcclusionPass::InterpolateNow()
 {
   Pipeline& stages = *this->Stages;
-  vtkSSAOOcclusionSettings settings = vtkSSAOOcclusionSettings::Of(this);
-  if (!this->Refinement || settings.Downsampling == 1)
+  if (stages.Unestimated > 1 && stages.Visibility && stages.Geometry)
   {
-    return true;
+    stages.LastView->Window->MakeCurrent();
+    stages.Visibility = stages.Denoise.Interpolate(*stages.LastView, this->DenoiseSettings(),
+                          stages.Geometry, stages.Visibility)
+      ? stages.Denoise.GetOutput()
+      : nullptr;
+    stages.Unestimated = 1;
   }
-  // No denoiser makes one slice of them many.
-  settings.Directions = std::max(settings.Directions, FewestDirectionsRefined);
-  if (!stages.Refine.Render(view, settings, stages.Geometry, stages.Layers, stages.Visibility))
-  {
-    return false;
-  }
-  stages.Visibility = stages.Refine.GetOutput();
-  this->TimeStage(RefineStage, view);
-  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -636,8 +662,8 @@ bool vtkScreenSpaceAmbientOcclusionPass::ModulateLight(const vtkSSAOView& view)
   strength.Intensity = this->Intensity;
   strength.Scale = this->IntensityScale;
   strength.Shift = this->IntensityShift;
-  const bool drawn = stages.Modulate.Render(view, strength, stages.Geometry, stages.Visibility,
-    stages.Capture->GetOccludable(), stages.Capture->GetLit());
+  const bool drawn = stages.Modulate.Render(view, strength, stages.Unestimated, stages.Geometry,
+    stages.Visibility, stages.Capture->GetOccludable(), stages.Capture->GetLit());
   this->TimeStage(ModulateStage, view);
   return drawn;
 }
@@ -742,6 +768,7 @@ int vtkScreenSpaceAmbientOcclusionPass::GetNumberOfLayerDrawings() const
 //------------------------------------------------------------------------------
 bool vtkScreenSpaceAmbientOcclusionPass::GetVisibility(vtkImageData* image)
 {
+  this->InterpolateNow();
   const glm::ivec4 viewport = this->Stages->Viewport;
   const std::vector<float> values = Download(this->Stages->Visibility, viewport);
   if (values.empty())
@@ -864,35 +891,35 @@ void vtkScreenSpaceAmbientOcclusionPass::SetRadius(double radius)
 
 //------------------------------------------------------------------------------
 void vtkScreenSpaceAmbientOcclusionPass::SetQuality(
-  int estimator, int directions, int steps, int noiseSize, bool refinement)
+  int estimator, int directions, int steps, int downsampling, int layerDownsampling)
 {
   this->SetEstimator(estimator);
   this->SetDirections(directions);
   this->SetSteps(steps);
   this->SetLayers(5);
   this->SetThickness(0.0);
-  this->SetNoiseSize(noiseSize);
-  this->SetDownsampling(2);
-  this->SetRefinement(refinement);
+  this->SetNoiseSize(4);
+  this->SetDownsampling(downsampling);
+  this->SetLayerDownsampling(layerDownsampling);
   this->SetDenoiserToEdgeAware();
 }
 
 //------------------------------------------------------------------------------
 void vtkScreenSpaceAmbientOcclusionPass::SetQualityToFast()
 {
-  this->SetQuality(ExactHorizon, 1, 8, 4, false);
+  this->SetQuality(ExactHorizon, 1, 8, 2, 2);
 }
 
 //------------------------------------------------------------------------------
 void vtkScreenSpaceAmbientOcclusionPass::SetQualityToBalanced()
 {
-  this->SetQuality(LayeredBitmask, 1, 10, 4, false);
+  this->SetQuality(LayeredBitmask, 1, 8, 2, 3);
 }
 
 //------------------------------------------------------------------------------
 void vtkScreenSpaceAmbientOcclusionPass::SetQualityToAccurate()
 {
-  this->SetQuality(LayeredBitmask, 3, 14, 3, true);
+  this->SetQuality(LayeredBitmask, 1, 14, 1, 2);
 }
 
 //------------------------------------------------------------------------------
@@ -905,7 +932,6 @@ void vtkScreenSpaceAmbientOcclusionPass::SetEstimator(int estimator)
     // What the sources have, not what a preset of ours left.
     this->SetNoiseSize(4);
     this->SetDownsampling(1);
-    this->SetRefinement(false);
     this->SetDirections(6);
     this->SetSteps(4);
   }
@@ -981,6 +1007,12 @@ void vtkScreenSpaceAmbientOcclusionPass::SetNoiseSize(int size)
 void vtkScreenSpaceAmbientOcclusionPass::SetDownsampling(int edge)
 {
   this->SetInRange("Downsampling", this->Downsampling, edge, 1, LargestDownsampling);
+}
+
+//------------------------------------------------------------------------------
+void vtkScreenSpaceAmbientOcclusionPass::SetLayerDownsampling(int edge)
+{
+  this->SetInRange("LayerDownsampling", this->LayerDownsampling, edge, 1, LargestDownsampling);
 }
 
 //------------------------------------------------------------------------------
@@ -1073,7 +1105,7 @@ void vtkScreenSpaceAmbientOcclusionPass::PrintSelf(ostream& os, vtkIndent indent
   os << indent << "Attenuation: " << this->Attenuation << "\n";
   os << indent << "NoiseSize: " << this->NoiseSize << "\n";
   os << indent << "Downsampling: " << this->Downsampling << "\n";
-  os << indent << "Refinement: " << (this->Refinement ? "on" : "off") << "\n";
+  os << indent << "LayerDownsampling: " << this->LayerDownsampling << "\n";
   os << indent << "Bias: " << this->Bias << (this->Bias < 0.0 ? " (automatic)" : "") << "\n";
   os << indent << "EffectiveBias: " << this->GetEffectiveBias() << "\n";
   os << indent << "Denoiser: " << this->Denoiser << "\n";

@@ -35,6 +35,7 @@
 class vtkImageData;
 class vtkRenderer;
 class vtkSSAOView;
+struct vtkSSAODenoiseSettings;
 
 class VTKSSAOPASS_EXPORT vtkScreenSpaceAmbientOcclusionPass : public vtkImageProcessingPass
 {
@@ -112,13 +113,14 @@ public:
 
   ///@{
   /**
-   * Choose estimator, Directions, Steps, Layers, Thickness, NoiseSize, Downsampling, Refinement and
-   * denoiser together. Balanced is the default. Each control may be changed afterwards. All
-   * estimate one of 2 x 2 pixels and interpolate.
-   * - Fast: ExactHorizon, 1 slice of 2 x 8 samples, noise tile 4.
-   * - Balanced: LayeredBitmask, 1 slice of 2 x 10 samples, 5 layers, noise tile 4.
-   * - Accurate: LayeredBitmask, 3 slices of 2 x 14 samples, 5 layers, noise tile 3,
-   *   refinement.
+   * Choose estimator, Directions, Steps, Layers, Thickness, NoiseSize, Downsampling,
+   * LayerDownsampling and denoiser together. Balanced is the default. Each control may be changed
+   * afterwards. All have a noise tile of 4 x 4.
+   * - Fast: ExactHorizon, 1 slice of 2 x 8 samples at one of 2 x 2 pixels, interpolated.
+   * - Balanced: LayeredBitmask, 5 layers at one of 3 x 3 pixels, 1 slice of 2 x 8 samples at one of
+   *   2 x 2 pixels, interpolated.
+   * - Accurate: LayeredBitmask, 5 layers at one of 2 x 2 pixels, 1 slice of 2 x 14 samples at every
+   *   pixel.
    */
   void SetQualityToFast();
   void SetQualityToBalanced();
@@ -162,9 +164,8 @@ public:
    * "Screen Space Indirect Lighting with Visibility Bitmask", 2023). The default.
    *
    * Changing to one of the first seven, which stand for a source's system, also sets what a preset
-   * may have left otherwise: NoiseSize 4, Downsampling 1, no Refinement, Directions 6,
-   * Steps 4.
-   * An unknown value is refused with an error.
+   * may have left otherwise: NoiseSize 4, Downsampling 1, Directions 6, Steps 4. An unknown value
+   * is refused with an error.
    */
   void SetEstimator(int estimator);
   vtkGetMacro(Estimator, int);
@@ -318,13 +319,13 @@ public:
 
   ///@{
   /**
-   * With Downsampling: where the interpolated visibility of a pixel came mostly from other surfaces
-   * than its own, it is estimated at the pixel itself, in 3 directions at least, not denoised.
-   * Matters where things are a few pixels wide. Default off.
+   * LayeredBitmask: layers are looked for at one pixel of each square of N x N, or of Downsampling,
+   * if that is larger. What lies behind the first surface needs to be known less finely than where
+   * visibility is estimated. Range [1, 4], default 3. A value out of range is refused with an
+   * error.
    */
-  vtkSetMacro(Refinement, bool);
-  vtkGetMacro(Refinement, bool);
-  vtkBooleanMacro(Refinement, bool);
+  void SetLayerDownsampling(int edge);
+  vtkGetMacro(LayerDownsampling, int);
   ///@}
 
   ///@{
@@ -470,9 +471,8 @@ public:
     LayersStage = 1,
     OcclusionStage = 2,
     DenoiseStage = 3,
-    RefineStage = 4,
-    ModulateStage = 5,
-    NumberOfStages = 6
+    ModulateStage = 4,
+    NumberOfStages = 5
   };
 
   ///@{
@@ -518,11 +518,12 @@ public:
    * surface is seen. GetGeometry: eight floats, linear view depth in world units (0: no surface),
    * shading normal and facet normal in view coordinates, towards the viewer, and 1 where the
    * surface shows its front, -1 where its back.
-   * GetSolids: eight floats, for LayeredBitmask, of the estimated pixels only: front and back of up
-   * to four stretches of the ray inside solids, as linear view depths, 0 and 0 for none, 1e30 for
-   * no end; the first front is negative where the surface shows its back. False, and the image is
-   * left alone, if the last render made none: before any render, in output mode Unoccluded, with
-   * Intensity 0 in output mode Composite, or after ReleaseGraphicsResources.
+   * GetSolids: eight floats, for LayeredBitmask, of one pixel of each square in which layers are
+   * looked for (see LayerDownsampling): front and back of up to four stretches of the ray inside
+   * solids, as linear view depths, 0 and 0 for none, 1e30 for no end; the first front is negative
+   * where the surface shows its back. False, and the image is left alone, if the last render made
+   * none: before any render, in output mode Unoccluded, with Intensity 0 in output mode Composite,
+   * or after ReleaseGraphicsResources.
    */
   bool GetVisibility(vtkImageData* image);
   bool GetGeometry(vtkImageData* image);
@@ -562,7 +563,7 @@ private:
   double Attenuation = 1.0;
   int NoiseSize = 4;
   int Downsampling = 1;
-  bool Refinement = false;
+  int LayerDownsampling = 3;
   double Bias = -1.0;
   int Denoiser = EdgeAware;
   int Modulation = AmbientAndDiffuse;
@@ -589,7 +590,9 @@ private:
   bool FindLayers(const vtkRenderState* s, const vtkSSAOView& view);
   bool ComputeOcclusion(const vtkSSAOView& view);
   bool RemoveNoise(const vtkSSAOView& view);
-  bool RefineEdges(const vtkSSAOView& view);
+  vtkSSAODenoiseSettings DenoiseSettings() const;
+  bool PostponeInterpolation(const vtkSSAOView& view);
+  void InterpolateNow();
   bool ModulateLight(const vtkSSAOView& view);
   void DisplayBuffers(const vtkRenderState* s);
 
@@ -598,7 +601,8 @@ private:
   void WarnOnce(const char* reason);
   void Fail(const char* what);
   void TimeStage(int stage, const vtkSSAOView& view);
-  void SetQuality(int estimator, int directions, int steps, int noiseSize, bool refinement);
+  void SetQuality(
+    int estimator, int directions, int steps, int downsampling, int layerDownsampling);
   template <typename Value>
   void SetInRange(const char* name, Value& variable, double value, double low, double high);
 };

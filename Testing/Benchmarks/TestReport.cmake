@@ -42,7 +42,7 @@ list(GET lines 0 header)
 string(REPLACE "," ";" columns "${header}")
 foreach (column IN ITEMS scene view method samples rmse bias p99 max ssim truth_mean
     truth_standard_error plain_seconds cost_seconds cost_to_vtk_32 cost_to_vtk_64 cost_to_vtk_256
-    capture_seconds layers_seconds occlusion_seconds denoise_seconds refine_seconds modulate_seconds texture_bytes
+    capture_seconds layers_seconds occlusion_seconds denoise_seconds modulate_seconds texture_bytes
     arithmetic_error twin_error)
   expect("report.csv has no column ${column}" "${column}" IN_LIST columns)
 endforeach ()

@@ -41,7 +41,7 @@ struct vtkSSAOReportRow
   double RatioToVTK32 = 0.0;  ///< Cost / cost of VTK's pass with 32 samples in the same view
   double RatioToVTK64 = 0.0;  ///< the same with 64
   double RatioToVTK256 = 0.0; ///< the same with 256
-  std::array<double, 6> StageTimes{}; ///< in the order of the pipeline, as StageType
+  std::array<double, 5> StageTimes{}; ///< in the order of the pipeline, as StageType
   double TextureBytes = 0.0;
 
   ///@{

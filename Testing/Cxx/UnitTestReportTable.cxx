@@ -80,7 +80,7 @@ bool Same(const Row& a, const Row& b)
   {
     same = same && Same(a.*member, b.*member);
   }
-  for (int i = 0; i < 4; ++i)
+  for (std::size_t i = 0; i < a.StageTimes.size(); ++i)
   {
     same = same && Same(a.StageTimes[i], b.StageTimes[i]);
   }
@@ -119,7 +119,7 @@ vtkSSAOReportTable AwkwardTable()
   row.RatioToVTK32 = 0.7;
   row.RatioToVTK64 = Limits::infinity();
   row.RatioToVTK256 = -Limits::infinity();
-  row.StageTimes = { 0.01, 0.02, Limits::quiet_NaN(), 0.04, 0.05, 0.06 };
+  row.StageTimes = { 0.01, 0.02, Limits::quiet_NaN(), 0.04, 0.06 };
   row.TextureBytes = 123456789012345.0;
   row.ArithmeticError = Limits::quiet_NaN();
   row.TwinError = 2.0 / 3.0;
@@ -272,14 +272,14 @@ void TestMeans(vtkSSAOTestMonitor& monitor)
 {
   Row first = MakeRow("a", 0, "x", 0.1, 1.0);
   first.Bias = -0.3;
-  first.StageTimes = { 1.0, 2.0, 3.0, Limits::quiet_NaN(), 0.5, 2.0 };
+  first.StageTimes = { 1.0, 2.0, 3.0, Limits::quiet_NaN(), 2.0 };
   first.TextureBytes = 100.0;
   first.ArithmeticError = Limits::quiet_NaN();
   first.RatioToVTK64 = 0.5;
   first.RatioToVTK256 = 0.001;
   Row second = MakeRow("b", 0, "x", 0.2, 4.0);
   second.Bias = 0.1;
-  second.StageTimes = { 3.0, 4.0, 5.0, 6.0, 0.5, 6.0 };
+  second.StageTimes = { 3.0, 4.0, 5.0, 6.0, 6.0 };
   second.TextureBytes = 300.0;
   second.Width = 800;
   second.RatioToVTK64 = 2.0;

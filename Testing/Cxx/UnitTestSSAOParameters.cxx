@@ -64,10 +64,10 @@ std::vector<Parameter> Parameters()
     PARAMETER(Layers, 5.0, true, { 1, 2, 5, 9 }, { 0, -1, 10, 2147483647 }),
     PARAMETER(Thickness, 0.0, false, { 0.0, 1.0e-30, 0.5, 1.0e30 }, with({ -1.0, -1.0e-30 })),
     PARAMETER(Downsampling, 2.0, true, { 1, 2, 4 }, { 0, -1, 5, 2147483647 }),
+    PARAMETER(LayerDownsampling, 3.0, true, { 1, 2, 4 }, { 0, -1, 5, 2147483647 }),
     PARAMETER(Directions, 1.0, true, { 1, 7, 64 }, { 0, -1, 65, 2147483647 }),
-    PARAMETER(Steps, 10.0, true, { 1, 7, 64 }, { 0, -1, 65, 2147483647 }),
+    PARAMETER(Steps, 8.0, true, { 1, 7, 64 }, { 0, -1, 65, 2147483647 }),
     PARAMETER(AngleBias, 30.0, false, { 0.0, 45.0, 89.0 }, with({ -0.1, 89.5, 90.0 })),
-    PARAMETER(Refinement, 0.0, true, { 0, 1 }, {}),
     PARAMETER(HalfRule, 1.0, true, { 0, 1 }, {}),
     PARAMETER(RangeCheck, 1.0, true, { 0, 1 }, {}),
     PARAMETER(MinimumDifference, 0.01, false, { 0.0, 0.5, 1.0 }, with({ -0.01, 1.01 })),
@@ -135,9 +135,9 @@ void TestOthers(vtkSSAOTestMonitor& test)
   pass->SetRadius(2.5);
   test.ExpectEqual(pass->GetEffectiveRadius(), 2.5, "effective radius before any render");
 
-  // Estimator, slices, samples to a side, noise, downsampling.
-  const int wanted[][5] = { { Pass::ExactHorizon, 1, 8, 4, 2 },
-    { Pass::LayeredBitmask, 1, 10, 4, 2 }, { Pass::LayeredBitmask, 3, 14, 3, 2 } };
+  // Estimator, slices, samples to a side, noise, downsampling, that of layers.
+  const int wanted[][6] = { { Pass::ExactHorizon, 1, 8, 4, 2, 2 },
+    { Pass::LayeredBitmask, 1, 8, 4, 2, 3 }, { Pass::LayeredBitmask, 1, 14, 4, 1, 2 } };
   const std::function<void()> presets[] = { [&] { pass->SetQualityToFast(); },
     [&] { pass->SetQualityToBalanced(); }, [&] { pass->SetQualityToAccurate(); } };
   for (int preset = 0; preset < 3; ++preset)
@@ -146,13 +146,15 @@ void TestOthers(vtkSSAOTestMonitor& test)
     pass->SetDenoiserToNone();
     pass->SetLayers(9);
     pass->SetThickness(0.25);
+    pass->SetLayerDownsampling(4);
     presets[preset]();
     test.ExpectEqual(pass->GetEstimator(), wanted[preset][0], "estimator of a preset");
     test.ExpectEqual(pass->GetDirections(), wanted[preset][1], "directions of a preset");
     test.ExpectEqual(pass->GetSteps(), wanted[preset][2], "steps of a preset");
     test.ExpectEqual(pass->GetNoiseSize(), wanted[preset][3], "noise size of a preset");
     test.ExpectEqual(pass->GetDownsampling(), wanted[preset][4], "downsampling of a preset");
-    test.ExpectEqual(pass->GetRefinement(), preset == 2, "refinement of a preset");
+    test.ExpectEqual(
+      pass->GetLayerDownsampling(), wanted[preset][5], "layer downsampling of a preset");
     test.ExpectEqual(pass->GetLayers(), 5, "layers of a preset");
     test.ExpectEqual(pass->GetThickness(), 0.0, "thickness of a preset");
     test.ExpectEqual(pass->GetDenoiser(), Pass::EdgeAware, "denoiser of a preset");
@@ -166,12 +168,10 @@ void TestOthers(vtkSSAOTestMonitor& test)
     const bool slices = estimator >= Pass::ExactHorizon;
     pass->SetQualityToFast();
     pass->SetNoiseSize(7);
-    pass->RefinementOn();
     pass->SetEstimator(estimator);
     const std::string what = "after changing to estimator " + std::to_string(estimator);
     test.ExpectEqual(pass->GetNoiseSize(), slices ? 7 : 4, "noise size " + what);
     test.ExpectEqual(pass->GetDownsampling(), slices ? 2 : 1, "downsampling " + what);
-    test.ExpectEqual(pass->GetRefinement(), slices, "refinement " + what);
     test.ExpectEqual(pass->GetDirections(), slices ? 1 : 6, "directions " + what);
     test.ExpectEqual(pass->GetSteps(), slices ? 8 : 4, "steps " + what);
     if (!slices)
@@ -216,7 +216,7 @@ void TestPrintSelf(vtkSSAOTestMonitor& test)
   pass->SetLayers(7);
   pass->SetThickness(0.1875);
   pass->SetDownsampling(3);
-  pass->RefinementOn();
+  pass->SetLayerDownsampling(4);
   pass->SetNoiseSize(9);
   pass->SetIntensity(1.25);
   pass->SetPower(3.125);
@@ -231,7 +231,7 @@ void TestPrintSelf(vtkSSAOTestMonitor& test)
     { "Directions", "11" }, { "Steps", "13" }, { "AngleBias", "12.5" }, { "HalfRule", "off" },
     { "RangeCheck", "off" }, { "MinimumDifference", "0.03125" }, { "Falloff", "2" },
     { "Attenuation", "1.75" }, { "NoiseSize", "9" }, { "Layers", "7" }, { "Thickness", "0.1875" },
-    { "Downsampling", "3" }, { "Refinement", "on" }, { "Bias", "0.0625" }, { "Denoiser", "" },
+    { "Downsampling", "3" }, { "LayerDownsampling", "4" }, { "Bias", "0.0625" }, { "Denoiser", "" },
     { "Modulation", "" }, { "Intensity", "1.25" }, { "Power", "3.125" },
     { "IntensityScale", "2.375" }, { "IntensityShift", "-0.4375" }, { "OutputMode", "" },
     { "DepthFormat", "42" }, { "VolumeOpacityThreshold", "0.8125" }, { "StageTiming", "" } };

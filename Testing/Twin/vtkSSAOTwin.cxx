@@ -60,16 +60,16 @@ struct OcclusionShader
   const std::vector<glm::vec4>* geometry;
   const std::vector<glm::vec4>* kernel;
   const std::vector<glm::vec4>* noise;
-  const std::vector<glm::vec4>* solids; // two for each pixel
-  vec4 solidsPlace;                     // (scale, offset): pixel of a texel of these
+  const std::vector<glm::vec4>* solids; // two for each texel
+  int solidsWidth;
+  int solidsHeight;
+  vec4 solidsPlace; // (scale, offset): pixel of a texel of these
 
-  // Index of the nearest texel, clamped to the edge.
-  std::size_t TexelAt(const vec2& pixel) const
+  // Index of the nearest texel of a texture of that size, clamped to the edge.
+  static std::size_t TexelAt(const vec2& texel, int width, int height)
   {
-    const int width = static_cast<int>(viewport.z);
-    const int height = static_cast<int>(viewport.w);
-    const float x = std::min(std::max(std::floor(pixel.x), 0.0), viewport.z - 1.0);
-    const float y = std::min(std::max(std::floor(pixel.y), 0.0), viewport.w - 1.0);
+    const float x = std::min(std::max(std::floor(texel.x), 0.0), width - 1.0);
+    const float y = std::min(std::max(std::floor(texel.y), 0.0), height - 1.0);
     const int column = std::isfinite(x) ? static_cast<int>(x) : width - 1;
     const int row = std::isfinite(y) ? static_cast<int>(y) : height - 1;
     return static_cast<std::size_t>(row) * width + column;
@@ -77,19 +77,20 @@ struct OcclusionShader
 
   vec4 ssaoGeometryAt(const vec2& pixel) const
   {
-    vec4 texel((*geometry)[this->TexelAt(pixel)]);
+    vec4 texel(
+      (*geometry)[TexelAt(pixel, static_cast<int>(viewport.z), static_cast<int>(viewport.w))]);
     texel.x *= depthScale;
     return texel;
   }
 
   vec4 ssaoSolidsAt(const vec2& texel) const
   {
-    return vec4((*solids)[2 * this->TexelAt(texel)]) * depthScale;
+    return vec4((*solids)[2 * TexelAt(texel, solidsWidth, solidsHeight)]) * depthScale;
   }
 
   vec4 ssaoMoreSolidsAt(const vec2& texel) const
   {
-    return vec4((*solids)[2 * this->TexelAt(texel) + 1]) * depthScale;
+    return vec4((*solids)[2 * TexelAt(texel, solidsWidth, solidsHeight) + 1]) * depthScale;
   }
 
   vec3 ssaoKernelAt(int index) const { return vec3(vec4((*kernel)[index])); }
@@ -227,8 +228,12 @@ vtkSSAOTwin::vtkSSAOTwin(vtkImageData* geometry, vtkCamera* camera)
 void vtkSSAOTwin::SetSolids(vtkImageData* solids)
 {
   const auto* pixel = static_cast<const float*>(solids->GetScalarPointer());
+  int size[3];
+  solids->GetDimensions(size);
+  this->SolidsWidth = size[0];
+  this->SolidsHeight = size[1];
   this->Solids.clear();
-  for (std::size_t i = 0; i < 2 * this->Geometry.size(); ++i, pixel += 4)
+  for (vtkIdType i = 0; i < 2 * solids->GetNumberOfPoints(); ++i, pixel += 4)
   {
     this->Solids.emplace_back(pixel[0], pixel[1], pixel[2], pixel[3]);
   }
@@ -264,7 +269,11 @@ std::vector<double> vtkSSAOTwin::Visibility(
   uniforms.sliceTurn = glm::dvec2(std::cos(settings.SliceAngle()), std::sin(settings.SliceAngle()));
   uniforms.sheet = settings.Sheet;
   uniforms.solids = &this->Solids;
-  uniforms.solidsPlace = glm::dvec4(1.0, 1.0, 0.0, 0.0);
+  uniforms.solidsWidth = this->SolidsWidth;
+  uniforms.solidsHeight = this->SolidsHeight;
+  // As vtkSSAOView::Coarse: a texel is the first pixel of its square.
+  const double edge = std::max(1, settings.LayerDownsampling);
+  uniforms.solidsPlace = glm::dvec4(edge, edge, 0.5 - 0.5 * edge, 0.5 - 0.5 * edge);
   uniforms.noiseTile = settings.NoiseSize;
   uniforms.depthScale = 1.0 + disturbance.Depth;
   uniforms.geometry = &this->Geometry;

@@ -42,8 +42,8 @@ public:
   vtkSSAOTwin(vtkImageData* geometry, vtkCamera* camera);
 
   /**
-   * What LayeredBitmask needs besides: the solids as the pass's GetSolids gives them, with
-   * Downsampling 1.
+   * What LayeredBitmask needs besides: the solids as the pass's GetSolids gives them, with the
+   * settings that Visibility gets.
    */
   void SetSolids(vtkImageData* solids);
 
@@ -61,7 +61,9 @@ private:
   int Width;
   int Height;
   vtkSSAOProjection Projection;
-  std::vector<glm::vec4> Solids;   // two for each pixel
+  std::vector<glm::vec4> Solids; // two for each texel
+  int SolidsWidth = 0;
+  int SolidsHeight = 0;
   std::vector<glm::vec4> Geometry; // as in the texture: depth, packed normal, packed facet, 1
 };
 

@@ -18,7 +18,7 @@ std::array<double, 9> ControlsOf(Pass* pass)
   return { static_cast<double>(pass->GetEstimator()), static_cast<double>(pass->GetDirections()),
     static_cast<double>(pass->GetSteps()), static_cast<double>(pass->GetLayers()),
     pass->GetThickness(), static_cast<double>(pass->GetNoiseSize()),
-    static_cast<double>(pass->GetDownsampling()), pass->GetRefinement() ? 1.0 : 0.0,
+    static_cast<double>(pass->GetDownsampling()), static_cast<double>(pass->GetLayerDownsampling()),
     static_cast<double>(pass->GetDenoiser()) };
 }
 }

@@ -46,8 +46,7 @@ const char* const HelpText = "o off   a on   v alone   c next of these\n"
                              "t error against the truth   g grab picture\n"
                              "h hide this   q quit";
 const char* const ModulationNames[] = { "ambient", "ambient and diffuse", "all" };
-const char* const StageNames[] = { "capture", "layers", "occlusion", "denoise", "refine",
-  "modulate" };
+const char* const StageNames[] = { "capture", "layers", "occlusion", "denoise", "modulate" };
 const unsigned long ProgressPeriod = 250; // milliseconds
 
 const Mode& ModeOf(int outputMode)

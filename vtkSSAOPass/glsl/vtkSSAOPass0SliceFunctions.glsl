@@ -124,11 +124,13 @@ float ssaoCosineAt(SsaoRay ray, float t, float lowest)
 }
 
 // Share of the radius at which a sample is taken: squares, so that they are denser near the point,
-// at least 1.3 pixels off (Strugar's XeGTAO). index: sample, with its shift from 0 to 1.
+// from 1.3 pixels on (Strugar's XeGTAO has that least distance; there several samples may share it).
+// index: sample, with its shift from 0 to 1.
 float ssaoSampleShare(float index, float count, float reachInPixels)
 {
-  float t = index / count;
-  return max(t * t, min(float(1.3) / reachInPixels, float(1.0)));
+  float nearest = sqrt(min(float(1.3) / reachInPixels, float(1.0)));
+  float t = nearest + (float(1.0) - nearest) * (index / count);
+  return t * t;
 }
 
 // Share of a trace that lies inside the viewport, 0 to 1; 0 if it leaves within the 1.3 texels of the

@@ -114,21 +114,21 @@ SsaoSide ssaoTakeSample(SsaoSide side, vec2 pixel, float share, float join, vec4
   vec2 ball = vec2(middle - halfLength, middle + halfLength);
   SsaoStretches solids =
     ssaoStretchesSeen(ssaoSolidsAt(texel), ssaoMoreSolidsAt(texel), facing, sheet);
-  vec3 first = ssaoHiddenArc(ray, solids.first, center.x, ball, side.lowest);
-  vec3 second = ssaoHiddenArc(ray, solids.second, center.x, ball, side.lowest);
-  vec3 third = ssaoHiddenArc(ray, solids.third, center.x, ball, side.lowest);
+  // Two of the three are looked at: what ends in front of the ball hides nothing.
+  bool before = solids.first.y - center.x <= ball.x;
+  vec2 firstStretch = before ? solids.second : solids.first;
+  vec2 secondStretch = before ? solids.third : solids.second;
+  vec3 first = ssaoHiddenArc(ray, firstStretch, center.x, ball, side.lowest);
+  vec3 second = ssaoHiddenArc(ray, secondStretch, center.x, ball, side.lowest);
   // A surface may have come in front of one that goes on, or have ended there.
   vec3 firstJoined = ssaoJoin(ssaoJoin(first, side.first, join), side.second, join);
   vec3 secondJoined = ssaoJoin(ssaoJoin(second, side.first, join), side.second, join);
-  vec3 thirdJoined = ssaoJoin(third, side.third, join);
   SsaoSide result = side;
   result.hidden = side.hidden |
     ssaoSectorsOf(firstJoined, normalCosine, side.normalSine, side.sectorsPerMeasure, jitter) |
-    ssaoSectorsOf(secondJoined, normalCosine, side.normalSine, side.sectorsPerMeasure, jitter) |
-    ssaoSectorsOf(thirdJoined, normalCosine, side.normalSine, side.sectorsPerMeasure, jitter);
+    ssaoSectorsOf(secondJoined, normalCosine, side.normalSine, side.sectorsPerMeasure, jitter);
   result.first = first;
   result.second = second;
-  result.third = third;
   return result;
 }
 

@@ -1,11 +1,8 @@
 //VTK::System::Dec
 //VTK::Output::Dec
 
-// Stage 2: geometry to (raw ambient visibility, depth, certainty); the latter are for the denoiser. Or,
-// with SSAO_REFINED, to the ambient visibility that was interpolated, except where that came from
-// other surfaces.
+// Stage 2: geometry to (raw ambient visibility, depth, certainty); the latter are for the denoiser.
 
-//SSAO::Refined
 //SSAO::Functions
 //SSAO::View
 
@@ -26,10 +23,6 @@ uniform vec4 solidsPlace;        // LayeredBitmask: (scale, offset): pixel of a 
 uniform vec2 solidsTexelSize;    // LayeredBitmask: 1 / size of these
 uniform float sheet;             // LayeredBitmask: thickness of what has no back, world units
 uniform vec2 sliceTurn;          // ExactHorizon, LayeredBitmask: (cos, sin) from slice to slice
-#if defined(SSAO_REFINED)
-uniform sampler2D interpolated; // (visibility, share of it that came from the pixel's own surface)
-uniform vec2 shares;            // up to which a pixel is estimated, from which it is not
-#endif
 uniform float downsampling;      // edge in pixels of the squares of which one pixel is estimated
 uniform float noiseSize;         // edge of the noise tile in estimated pixels
 uniform sampler2D kernelTexture; // kernelSize x 1: the estimator's sample points, lengths up to 1
@@ -65,7 +58,8 @@ vec4 ssaoMoreSolidsAt(vec2 texel)
 // for a pixel then. An estimator may set it.
 float ssaoCertainty = 1.0;
 
-// What an estimator takes of its samples and directions: nothing for a pixel that needs no estimate.
+// What an estimator takes of its samples and directions: nothing where there is no surface. Software
+// rasterisers leave a loop that no pixel is in, but run both sides of a branch.
 int kernelSize = 0;
 int directions = 0;
 
@@ -77,20 +71,8 @@ void main()
     ? viewport.xy + downsampling * floor(gl_FragCoord.xy) + 0.5
     : gl_FragCoord.xy;
   vec4 center = ssaoGeometryAt(pixel);
-#if defined(SSAO_REFINED)
-  vec2 before = textureLod(interpolated, pixel * texelSize, 0.0).xy;
-  bool needed = center.x > 0.0 && before.y < shares.y;
-  kernelSize = needed ? samplesInKernel : 0;
-  directions = needed ? allDirections : 0;
-  float visibility = ssaoVisibility(pixel, center);
-  gl_FragData[0] = vec4(needed
-      ? mix(visibility, before.x, clamp((before.y - shares.x) / (shares.y - shares.x), 0.25, 1.0))
-      : before.x,
-    0.0, 0.0, 1.0);
-#else
-  kernelSize = samplesInKernel;
-  directions = allDirections;
+  kernelSize = center.x > 0.0 ? samplesInKernel : 0;
+  directions = center.x > 0.0 ? allDirections : 0;
   float visibility = center.x > 0.0 ? ssaoVisibility(pixel, center) : 1.0;
   gl_FragData[0] = vec4(visibility, center.x, ssaoCertainty, 1.0);
-#endif
 }

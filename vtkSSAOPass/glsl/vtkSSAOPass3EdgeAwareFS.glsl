@@ -23,7 +23,8 @@ void main()
   vec2 center = textureLod(visibility, gl_FragCoord.xy * coarseTexelSize, 0.0).xy;
   SsaoPlane plane = ssaoPlaneThrough(ssaoUnpackFacet(ssaoGeometryAt(pixel).z), pixel, center.y,
     pixelToRay, rayOffset, depthSlope, perspective);
-  float reach = float(noiseSize / 2);
+  // No turn of the loops where there is no surface.
+  float reach = center.y > 0.0 ? float(noiseSize / 2) : -1.0;
   float border = noiseSize % 2 == 0 ? 0.5 : 1.0;
   float sum = 0.0;
   float weights = 0.0;

@@ -1,42 +1,14 @@
 //VTK::System::Dec
 //VTK::Output::Dec
 
-// Stage 3, denoiser EdgeAware where only one pixel of each square was estimated: from the four
-// estimated pixels about a pixel, linearly, but only from those that lie on its surface.
+// Stage 3: the interpolated visibility of every pixel, for what does not modulate the picture at once.
 
 //SSAO::Functions
 //SSAO::View
-
-uniform sampler2D visibility; // (ambient visibility, depth) of the estimated pixels
-uniform vec2 coarseTexelSize; // 1 / size of that texture
-uniform vec4 estimated;       // x, y, width, height of what of it was drawn
-uniform float downsampling;   // edge of the squares in pixels of which the first is estimated
+//SSAO::Interpolation
 
 void main()
 {
-  vec4 center = ssaoGeometryAt(gl_FragCoord.xy);
-  SsaoPlane plane = ssaoPlaneThrough(ssaoUnpackFacet(center.z), gl_FragCoord.xy, center.x, pixelToRay,
-    rayOffset, depthSlope, perspective);
-  vec2 place = gl_FragCoord.xy - viewport.xy - 0.5;
-  vec2 square = floor(place / downsampling);
-  vec2 last = estimated.xy + estimated.zw - 1.0;
-  float sum = 0.0;
-  float same = 0.0;
-  float weights = 0.0;
-  for (int i = 0; i < 4; ++i)
-  {
-    vec2 at = min(square + vec2(i % 2, i / 2), last);
-    vec2 moved = at * downsampling - place;
-    vec2 neighbour = textureLod(visibility, (at + 0.5) * coarseTexelSize, 0.0).xy;
-    vec2 near = max(1.0 - abs(moved) / downsampling, 0.0);
-    // Where nothing lies on the same surface, anything is better than nothing.
-    float weight = neighbour.y > 0.0
-      ? (near.x * near.y + 0.001) * (ssaoPlaneWeight(plane, neighbour.y, moved) + 0.0001)
-      : 0.0;
-    same += near.x * near.y * ssaoPlaneWeight(plane, neighbour.y, moved);
-    sum += weight * neighbour.x;
-    weights += weight;
-  }
-  bool known = center.x > 0.0 && weights > 0.0;
-  gl_FragData[0] = vec4(known ? sum / weights : 1.0, same, 0.0, 1.0);
+  float interpolated = ssaoInterpolated(gl_FragCoord.xy, ssaoGeometryAt(gl_FragCoord.xy));
+  gl_FragData[0] = vec4(interpolated, 0.0, 0.0, 1.0);
 }

@@ -5,15 +5,22 @@
 // Stage 4: what is to be taken from the picture, in its own encoding: blending subtracts it. Or, with
 // SSAO_ALL_OCCLUDABLE, the visibility, with which blending multiplies the picture.
 
-//SSAO::Functions
+// With SSAO_INTERPOLATED the visibility of one pixel of each square is known, and interpolated here.
 
+//SSAO::Functions
+#if defined(SSAO_INTERPOLATED)
+//SSAO::View
+//SSAO::Interpolation
+#else
+uniform sampler2D geometry;   // (depth, ...); depth 0: nothing that may be occluded
 uniform sampler2D visibility; // denoised ambient visibility
-uniform vec2 texelSize;       // 1 / size of that texture
+uniform vec2 texelSize;       // 1 / size of these textures
+#endif
 uniform vec4 strength;        // power, intensity, scale, shift of ssaoStrength
 uniform int haveLit;          // 1: texture lit holds the colour before clamping
 uniform float white;          // largest value the picture can hold, 1 if it is clamped
 #if defined(SSAO_ALL_OCCLUDABLE)
-uniform sampler2D geometry; // (depth, ...); depth 0: nothing that may be occluded
+// The picture itself.
 #elif defined(SSAO_MULTISAMPLE)
 uniform sampler2DMS occludable; // part of the light that may be occluded, textures included
 uniform sampler2DMS lit;        // colour before clamping; negative: linear light
@@ -26,14 +33,24 @@ uniform sampler2D lit;
 
 void main()
 {
-  float v = ssaoStrength(textureLod(visibility, gl_FragCoord.xy * texelSize, 0.0).x, strength.x,
-    strength.y, strength.z, strength.w);
+  vec2 place = gl_FragCoord.xy * texelSize;
+#if defined(SSAO_INTERPOLATED)
+  vec4 center = textureLod(geometry, place, 0.0);
+  float ambient = ssaoInterpolated(gl_FragCoord.xy, center);
+#else
+  float ambient = textureLod(visibility, place, 0.0).x;
+#endif
+  float v = ssaoStrength(ambient, strength.x, strength.y, strength.z, strength.w);
   if (v >= 1.0)
   {
     discard;
   }
 #if defined(SSAO_ALL_OCCLUDABLE)
-  bool surface = textureLod(geometry, gl_FragCoord.xy * texelSize, 0.0).x > 0.0;
+#if defined(SSAO_INTERPOLATED)
+  bool surface = center.x > 0.0;
+#else
+  bool surface = textureLod(geometry, place, 0.0).x > 0.0;
+#endif
   gl_FragData[0] = vec4(vec3(surface ? v : 1.0), 0.0);
 #else
   vec3 taken = (1.0 - v) * SSAO_LIGHT(occludable);
