@@ -324,12 +324,12 @@ int TestHarmlessMappers(int, char*[])
     surfaces);
   CheckHarmless(report, "lit lines and vertices", [](Stage& stage) { AddMixture(stage, false); });
   CheckMixture(report);
-  for (const int resolve :
-    { VTK_RESOLVE_OFF, VTK_RESOLVE_POLYGON_OFFSET, VTK_RESOLVE_SHIFT_ZBUFFER })
+  const char* const ways[] = { "off", "polygon offset", "shifted depths" };
+  for (const int way : { VTK_RESOLVE_OFF, VTK_RESOLVE_POLYGON_OFFSET, VTK_RESOLVE_SHIFT_ZBUFFER })
   {
-    vtkMapper::SetResolveCoincidentTopology(resolve);
+    vtkMapper::SetResolveCoincidentTopology(way);
     CheckHarmless(
-      report, "coincident topology, way " + std::to_string(resolve), AddCoincident, surfaces);
+      report, std::string("coincident topology, ") + ways[way], AddCoincident, surfaces);
   }
   vtkMapper::SetResolveCoincidentTopology(VTK_RESOLVE_OFF);
   CheckHarmless(report, "clipping planes", AddClipped, surfaces);

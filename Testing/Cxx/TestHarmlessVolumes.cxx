@@ -127,7 +127,7 @@ int TestHarmlessVolumes(int, char*[])
       AddBall(stage, mapper, true, 0.3);
     });
   HarmlessOptions processor;
-  // VTK's own render steps, too, shade it otherwise if no frame without a pass came before.
+  // Without any pass, too, VTK shades it otherwise from one window to the next, by up to 115/255.
   processor.FirstFrame = false;
   CheckHarmless(
     report, "volume, on the processor",
