@@ -94,6 +94,36 @@ void CheckStereo(Report& report)
 }
 
 //------------------------------------------------------------------------------
+// Both eyes are drawn in one frame, by one pass: each has the occlusion that it has alone.
+void CheckEyes(Report& report)
+{
+  Stage stage(report, 120, 90);
+  vtkSSAOAddFloorAndSpheres(stage.Renderer, 9, 0.5);
+  stage.Window->SetStereoCapableWindow(1);
+  stage.Window->StereoRenderOn();
+  vtkNew<AOPass> pass;
+  pass->SetRadius(0.8);
+  const auto draw = [&](int type)
+  {
+    stage.Window->SetStereoType(type);
+    return stage.Draw(pass);
+  };
+  const Picture left = draw(VTK_STEREO_LEFT);
+  const Picture right = draw(VTK_STEREO_RIGHT);
+  report.Differ("eyes, there is occlusion", left, stage.Draw(nullptr), 0.1, 100);
+  report.Differ("eyes see different pictures", left, right, 0.1, 50);
+  const Picture both = draw(VTK_STEREO_INTERLACED); // a row for each in turn
+  int rows = 0;
+  for (int y = 0; y < both.Height; ++y)
+  {
+    const Picture& eye = y % 2 ? right : left;
+    rows += std::equal(both.At(0, y), both.At(0, y) + std::ptrdiff_t(3) * both.Width, eye.At(0, y));
+  }
+  report.Equal("rows as their eye sees them alone", both.Height, rows);
+  stage.Renderer->SetPass(nullptr);
+}
+
+//------------------------------------------------------------------------------
 // Occlusion in a magnified picture is that in a window of the size, seams included.
 void CheckSeams(Report& report, bool parallel, int preset)
 {
@@ -182,6 +212,7 @@ int TestHarmlessScreenshots(int, char*[])
   { return Shoot(stage, pass, 1, VTK_ZBUFFER); };
   CheckHarmless(report, "depth buffer", build, options);
   CheckStereo(report);
+  CheckEyes(report);
   CheckSeams(report, false, 0);
   CheckSeams(report, false, 1);
   CheckSeams(report, false, 2);
