@@ -230,6 +230,13 @@ vtkTextureObject* vtkSSAOCapturePass::GetLit() const
 }
 
 //------------------------------------------------------------------------------
+bool vtkSSAOCapturePass::HasLostContext() const
+{
+  // The window releases what belongs to its context.
+  return this->Geometry && !this->Geometry->GetHandle();
+}
+
+//------------------------------------------------------------------------------
 unsigned long vtkSSAOCapturePass::GetTextureMemory() const
 {
   return vtkSSAOFullScreenStage::GetBytes(this->Geometry) +
@@ -474,6 +481,14 @@ std::vector<double> vtkSSAOCapturePass::DescribeFrame(const vtkSSAOView& view)
   {
     frame.insert(frame.end(), matrix->GetData(), matrix->GetData() + 16);
   }
+  // Which of two surfaces in one place is in front may depend on settings of all mappers.
+  double factor = 0.0;
+  double units = 0.0;
+  vtkMapper::GetResolveCoincidentTopologyPolygonOffsetParameters(factor, units);
+  frame.insert(frame.end(),
+    { double(vtkMapper::GetResolveCoincidentTopology()), factor, units,
+      double(vtkMapper::GetResolveCoincidentTopologyPolygonOffsetFaces()),
+      vtkMapper::GetResolveCoincidentTopologyZShift() });
   for (vtkProp* prop : this->Captured)
   {
     // A prop with levels of detail may choose another one next time, and a shader may move vertices

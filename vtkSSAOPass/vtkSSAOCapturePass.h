@@ -122,6 +122,11 @@ public:
   ///@}
 
   /**
+   * Whether the context in which something was captured is gone.
+   */
+  bool HasLostContext() const;
+
+  /**
    * Bytes that the textures take, used in the last frame or not.
    */
   unsigned long GetTextureMemory() const;

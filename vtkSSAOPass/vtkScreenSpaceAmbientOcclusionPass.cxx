@@ -163,11 +163,11 @@ double DiagonalOfOpaqueProps(vtkRenderer* renderer)
 
 //------------------------------------------------------------------------------
 // The part of a texture that lies in the viewport, row by row, all components of a pixel together;
-// empty without a texture.
+// empty without a texture, or if its context is gone.
 std::vector<float> Download(vtkTextureObject* texture, const glm::ivec4& viewport)
 {
   std::vector<float> values;
-  if (!texture)
+  if (!texture || !texture->GetHandle())
   {
     return values;
   }
@@ -357,7 +357,9 @@ void vtkScreenSpaceAmbientOcclusionPass::Render(const vtkRenderState* s)
 void vtkScreenSpaceAmbientOcclusionPass::FollowWindow(vtkWindow* window)
 {
   Pipeline& stages = *this->Stages;
-  if (stages.Window && stages.Window != window)
+  // A window that loses its context tells the passes that are set, but not one that is to be set
+  // again.
+  if ((stages.Window && stages.Window != window) || stages.Capture->HasLostContext())
   {
     stages.ReleaseGraphicsResources(stages.Window);
   }
@@ -674,10 +676,11 @@ void vtkScreenSpaceAmbientOcclusionPass::DisplayBuffers(const vtkRenderState* s)
   Pipeline& stages = *this->Stages;
   vtkSSAOView view(s);
   view.CountDepthsFrom(stages.DepthOrigin);
-  if (view.IsValid() && stages.Geometry && stages.Visibility)
+  if (view.IsValid() && stages.Geometry && stages.Visibility &&
+    !stages.Display.Render(
+      view, this->OutputMode, stages.Viewport, stages.Geometry, stages.Visibility))
   {
-    stages.Display.Render(
-      view, this->OutputMode, stages.Viewport, stages.Geometry, stages.Visibility);
+    this->Fail("A shader of the output mode");
   }
 }
 

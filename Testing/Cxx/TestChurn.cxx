@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // 1,000 times on and off, 300 sizes one after another, a context that is lost again and again: the
-// picture stays, and so does the number of OpenGL's objects.
+// picture stays, and so do the number of OpenGL's objects and the memory in use.
 
 #include "vtkSSAOTestScenes.h"
 #include "vtkSSAOTestShapes.h"
+
+#include <cstdlib> // __GLIBC__
+
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
 
 namespace
 {
@@ -76,6 +82,64 @@ void CheckSwitches(Report& report)
 }
 
 //------------------------------------------------------------------------------
+// Bytes of the heap in use; 0 where nobody counts them.
+std::size_t HeapInUse()
+{
+#if defined(__GLIBC__) && __GLIBC__ == 2 && __GLIBC_MINOR__ >= 33
+  return mallinfo2().uordblks;
+#else
+  return 0;
+#endif
+}
+
+//------------------------------------------------------------------------------
+// Frames, switches and whole lives of a pass leave no memory behind.
+void CheckMemory(Report& report)
+{
+  Stage stage(report, 32, 24);
+  vtkSSAOAddFloorAndSpheres(stage.Renderer, 3, 0.5);
+  vtkNew<AOPass> pass;
+  const auto frames = [&](int count)
+  {
+    for (int i = 0; i < count; ++i)
+    {
+      pass->Modified();
+      stage.Draw(pass);
+      stage.Draw(nullptr);
+    }
+  };
+  const auto lives = [&](int count)
+  {
+    for (int i = 0; i < count; ++i)
+    {
+      vtkNew<AOPass> other;
+      stage.Draw(other);
+      stage.Renderer->SetPass(nullptr);
+      other->ReleaseGraphicsResources(stage.Window);
+    }
+  };
+  // The driver takes and gives back large pieces now and then; what grows in most rounds leaks.
+  const auto growth = [](const std::function<void(int)>& draw)
+  {
+    constexpr int count = 40;
+    std::array<double, 9> rounds{};
+    draw(count);
+    for (double& bytes : rounds)
+    {
+      const auto before = static_cast<double>(HeapInUse());
+      draw(count);
+      bytes = (static_cast<double>(HeapInUse()) - before) / count;
+    }
+    std::sort(rounds.begin(), rounds.end());
+    return rounds[rounds.size() / 2];
+  };
+  // Less than any object: a texture of these frames has 12,288 bytes, an object of VTK hundreds.
+  report.ExpectAtMost(growth(frames), 16.0, "bytes that a frame leaves behind, in most rounds");
+  report.ExpectAtMost(growth(lives), 64.0, "bytes that a pass leaves behind, in most rounds");
+  stage.Renderer->SetPass(nullptr);
+}
+
+//------------------------------------------------------------------------------
 void CheckSizes(Report& report, int multiSamples)
 {
   const std::string name = "300 sizes, " + std::to_string(multiSamples) + " samples";
@@ -128,6 +192,7 @@ int TestChurn(int, char*[])
 {
   Report report;
   CheckSwitches(report);
+  CheckMemory(report);
   CheckSizes(report, 0);
   CheckSizes(report, 4);
   CheckLostContext(report);

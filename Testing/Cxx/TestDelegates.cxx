@@ -2,18 +2,21 @@
 
 // The pass over every kind of delegate, and inside the chains of passes that applications build.
 
-#include "vtkSSAOTestEverything.h"
-
 #include "vtkCameraPass.h"
 #include "vtkDefaultPass.h"
 #include "vtkDepthOfFieldPass.h"
+#include "vtkDepthPeelingPass.h"
+#include "vtkDualDepthPeelingPass.h"
 #include "vtkEDLShading.h"
+#include "vtkFramebufferPass.h"
 #include "vtkGaussianBlurPass.h"
 #include "vtkLightsPass.h"
 #include "vtkOpaquePass.h"
 #include "vtkOpenGLFXAAPass.h"
+#include "vtkOrderIndependentTranslucentPass.h"
 #include "vtkOverlayPass.h"
 #include "vtkSSAAPass.h"
+#include "vtkSSAOTestEverything.h"
 #include "vtkSequencePass.h"
 #include "vtkShadowMapBakerPass.h"
 #include "vtkShadowMapPass.h"
@@ -185,6 +188,127 @@ void CheckIdentity(Report& report, Extras extras)
 }
 
 //------------------------------------------------------------------------------
+// A pass that draws translucent props in some order, and so needs more than the picture.
+template <typename Pass>
+PassPointer Ordered()
+{
+  auto pass = Make<Pass>();
+  pass->SetTranslucentPass(Make<vtkTranslucentPass>());
+  return pass;
+}
+PassPointer Peeled(int peels)
+{
+  const PassPointer kept = Ordered<vtkDepthPeelingPass>();
+  auto* pass = vtkDepthPeelingPass::SafeDownCast(kept);
+  pass->SetMaximumNumberOfPeels(peels);
+  pass->SetOcclusionRatio(0.0);
+  return kept;
+}
+PassPointer DualPeeled(int peels)
+{
+  const PassPointer kept = Ordered<vtkDualDepthPeelingPass>();
+  auto* pass = vtkDualDepthPeelingPass::SafeDownCast(kept);
+  pass->SetMaximumNumberOfPeels(peels);
+  pass->SetOcclusionRatio(0.0);
+  return kept;
+}
+
+// Three spheres of glass through each other: their order matters.
+void AddNestedGlass(Stage& stage)
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    vtkSmartPointer<vtkActor> glass = MakeActor(MakeSphere(0.7));
+    glass->SetPosition(0.5 * i + 1.0, 0.4 * i + 0.3, 0.4);
+    glass->GetProperty()->SetOpacity(0.5);
+    glass->GetProperty()->SetColor(0.3 * i, 0.5, 1.0 - 0.3 * i);
+    stage.Renderer->AddActor(glass);
+  }
+  stage.Window->AlphaBitPlanesOn();
+}
+
+//------------------------------------------------------------------------------
+// Chains whose translucent props are drawn by depth peeling, simple and dual, and independently of
+// their order; into a framebuffer of their own, too.
+void CheckTranslucentPasses(Report& report)
+{
+  const struct
+  {
+    const char* Name;
+    std::function<PassPointer()> New;
+  } kinds[] = { { "as they come", [] { return PassPointer(Make<vtkTranslucentPass>()); } },
+    { "depth peeling", [] { return Peeled(8); } },
+    { "dual depth peeling", [] { return DualPeeled(8); } },
+    { "order-independent", [] { return Ordered<vtkOrderIndependentTranslucentPass>(); } } };
+  const auto chain = [](vtkRenderPass* opaque, vtkRenderPass* translucent)
+  {
+    return Over<vtkCameraPass>(
+      Sequence({ Make<vtkLightsPass>(), opaque, translucent, Make<vtkOverlayPass>() }));
+  };
+  const auto framed = [](vtkRenderPass* pass)
+  {
+    auto frame = Make<vtkFramebufferPass>();
+    frame->SetDelegatePass(pass);
+    frame->SetColorFormat(vtkTextureObject::Float32);
+    frame->SetDepthFormat(vtkTextureObject::Fixed32);
+    return frame;
+  };
+  for (const auto& kind : kinds)
+  {
+    for (const bool framebuffer : { false, true })
+    {
+      Stage stage(report, 160, 120);
+      BuildScene(stage, Nothing);
+      const auto draw = [&](vtkRenderPass* pass)
+      {
+        PassPointer outer = pass;
+        if (framebuffer)
+        {
+          outer = framed(pass);
+        }
+        const Picture picture = stage.Draw(outer);
+        stage.Renderer->SetPass(nullptr);
+        outer->ReleaseGraphicsResources(stage.Window);
+        return picture;
+      };
+      const std::string name = std::string("translucent ") + kind.Name +
+        (framebuffer ? ", in a framebuffer of its own" : "");
+      const Picture bare = draw(chain(Make<vtkOpaquePass>(), kind.New()));
+      AddNestedGlass(stage);
+      const Picture plain = draw(chain(Make<vtkOpaquePass>(), kind.New()));
+      report.Differ(name + ", there is glass", bare, plain, 0.05, 500);
+      const auto check = [&](
+                           const std::string& what, const std::function<PassPointer(AOPass*)>& make)
+      {
+        const vtkSmartPointer<AOPass> pass = NewPass(nullptr);
+        ForceVisibility(pass, 1.0);
+        report.Same(name + what + ", V 1", plain, draw(make(pass)), 1.0 * Step);
+        // Nothing but the surfaces: beside them, and where only glass is, all stays.
+        ForceVisibility(pass, 0.0);
+        pass->SetModulationToAll();
+        const Picture dark = draw(make(pass));
+        report.Differ(name + what + ", V 0", plain, dark, 0.1, 3000);
+        // The glass does not darken: its light stays on the black surfaces.
+        report.Differ(name + what + ", V 0, glass", Picture::Of([](float) { return 0.0; }, dark),
+          dark, 0.1, 500, ChangedPixels(bare, plain));
+      };
+      check(" over the opaque pass",
+        [&](AOPass* pass)
+        {
+          pass->SetDelegatePass(Make<vtkOpaquePass>());
+          return chain(pass, kind.New());
+        });
+      check(" over all",
+        [&](AOPass* pass)
+        {
+          pass->SetDelegatePass(chain(Make<vtkOpaquePass>(), kind.New()));
+          return PassPointer(pass);
+        });
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 // Image passes over and under. Modulation All with V 1/2 is a headlight of half the intensity.
 void CheckImagePasses(Report& report)
 {
@@ -320,6 +444,7 @@ int TestDelegates(int, char*[])
   CheckSamePicture(report);
   CheckIdentity(report, Glass);
   CheckIdentity(report, GlassFogAndText);
+  CheckTranslucentPasses(report);
   CheckImagePasses(report);
   CheckUnchanged(report);
   CheckNoOpaquePass(report);

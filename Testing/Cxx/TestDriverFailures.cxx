@@ -124,18 +124,55 @@ int TestDriverFailures(int, char*[])
     Check(
       report, "estimator shader", 0, [](AOPass* pass) { pass->SetQualityToFast(); },
       breakShaders("ssaoSlice"));
+    Check(report, "denoiser shader", 0, balanced, breakShaders("uniform int noiseSize"));
+    Check(
+      report, "interpolation shader", 0, [](AOPass* pass) { pass->SetNoiseSize(1); },
+      breakShaders("coarseTexelSize"));
+    Check(
+      report, "refinement shader", 0, [](AOPass* pass) { pass->SetQualityToAccurate(); },
+      breakShaders("define SSAO_REFINED"));
+    Check(
+      report, "Gaussian shader", 0, [](AOPass* pass) { pass->SetDenoiserToSeparableGaussian(); },
+      breakShaders("uniform vec2 axis"));
+    Check(
+      report, "shader of the output mode", 0,
+      [](AOPass* pass) { pass->SetOutputModeToOcclusion(); },
+      breakShaders("uniform vec2 clippingRange"));
     Check(report, "modulation shader", 0, balanced, breakShaders("uniform vec4 strength"));
     Check(report, "resolve shader", 4, balanced, breakShaders("uniform sampler2DMS geometry"));
     Check(report, "missing extension", 4, balanced, breakShaders("GL_ARB_sample_shading"));
     // The first framebuffer of the pass is that of the capture, then come the stages.
-    for (const int complete : { 0, 1, 2, 3, 4 })
+    const auto accurate = [](AOPass* pass) { pass->SetQualityToAccurate(); };
+    for (const int samples : { 0, 4 })
     {
-      Check(report, "framebuffer " + std::to_string(complete), 0, balanced,
-        [&](bool broken)
-        {
-          CompleteChecks = complete;
-          *checkStatus = broken ? BreakCheckStatus : RealCheckStatus;
-        });
+      const int framebuffers = [&]
+      {
+        Stage stage(report, 80, 60, samples);
+        vtkSSAOAddFloorAndSpheres(stage.Renderer, 6, 0.45);
+        stage.Draw(nullptr);
+        vtkNew<AOPass> pass;
+        accurate(pass);
+        constexpr int many = 1000;
+        CompleteChecks = many;
+        *checkStatus = BreakCheckStatus;
+        stage.Draw(pass);
+        *checkStatus = RealCheckStatus;
+        stage.Renderer->SetPass(nullptr);
+        return many - CompleteChecks;
+      }();
+      report.ExpectAtLeast(framebuffers, 6, "framebuffers that the pass looks at");
+      for (int complete = 0; complete < framebuffers; ++complete)
+      {
+        Check(report,
+          "framebuffer " + std::to_string(complete) + " of " + std::to_string(framebuffers) + ", " +
+            std::to_string(samples) + " samples",
+          samples, accurate,
+          [&](bool broken)
+          {
+            CompleteChecks = complete;
+            *checkStatus = broken ? BreakCheckStatus : RealCheckStatus;
+          });
+      }
     }
   }
   else

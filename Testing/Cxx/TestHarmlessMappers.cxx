@@ -3,14 +3,14 @@
 // Every mapper, property and kind of actor draws what it draws without the pass. Those of
 // TestModulationIdentity are not repeated.
 
+#include "vtkLODActor.h"
+#include "vtkOpenGLStickMapper.h"
+#include "vtkPlane.h"
+#include "vtkPointGaussianMapper.h"
+#include "vtkPropAssembly.h"
 #include "vtkSSAOTestEverything.h"
 #include "vtkSSAOTestHarmless.h"
 #include "vtkSSAOTestProps.h"
-
-#include "vtkLODActor.h"
-#include "vtkOpenGLStickMapper.h"
-#include "vtkPointGaussianMapper.h"
-#include "vtkPropAssembly.h"
 #include "vtkShaderProperty.h"
 
 namespace
@@ -186,7 +186,6 @@ void CheckMixture(Report& report)
 // A square on the floor, in its very plane, and its outline.
 void AddCoincident(Stage& stage)
 {
-  vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
   for (int i = 0; i < 2; ++i)
   {
     vtkNew<vtkPlaneSource> square;
@@ -206,6 +205,24 @@ void AddCoincident(Stage& stage)
       actor->GetMapper()->SetRelativeCoincidentTopologyPolygonOffsetParameters(-2.0, -2.0);
     }
     stage.Renderer->AddActor(actor);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Bodies cut open by the mapper, of which the inside is seen.
+void AddClipped(Stage& stage)
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    vtkSmartPointer<vtkActor> actor = MakeActor(MakeSphere(0.45));
+    for (int j = 0; j <= i; ++j)
+    {
+      vtkNew<vtkPlane> plane;
+      plane->SetOrigin(0.35 + 0.8 * i, 0.4 + 0.3 * i, 0.9);
+      plane->SetNormal(0.2 + j, -0.4, j - 0.9);
+      actor->GetMapper()->AddClippingPlane(plane);
+    }
+    Add(stage, actor, i);
   }
 }
 
@@ -307,7 +324,15 @@ int TestHarmlessMappers(int, char*[])
     surfaces);
   CheckHarmless(report, "lit lines and vertices", [](Stage& stage) { AddMixture(stage, false); });
   CheckMixture(report);
-  CheckHarmless(report, "coincident topology", AddCoincident, surfaces);
+  const char* const ways[] = { "off", "polygon offset", "shifted depths" };
+  for (const int way : { VTK_RESOLVE_OFF, VTK_RESOLVE_POLYGON_OFFSET, VTK_RESOLVE_SHIFT_ZBUFFER })
+  {
+    vtkMapper::SetResolveCoincidentTopology(way);
+    CheckHarmless(
+      report, std::string("coincident topology, ") + ways[way], AddCoincident, surfaces);
+  }
+  vtkMapper::SetResolveCoincidentTopology(VTK_RESOLVE_OFF);
+  CheckHarmless(report, "clipping planes", AddClipped, surfaces);
   CheckHarmless(report, "shader replacements", AddReplacements, surfaces);
   HarmlessOptions levels = surfaces;
   levels.Quiet = true; // vtkLODActor copies its mapper by methods that VTK calls deprecated

@@ -2,12 +2,12 @@
 
 // Picking and the depth buffer give the same with the pass as without.
 
-#include "vtkSSAOTestEverything.h"
-#include "vtkSSAOTestHarmless.h"
-
 #include "vtkHardwareSelector.h"
 #include "vtkInformation.h"
 #include "vtkPropPicker.h"
+#include "vtkSSAOTestEverything.h"
+#include "vtkSSAOTestHarmless.h"
+#include "vtkSSAOTestProps.h"
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
 
@@ -33,6 +33,11 @@ std::string Select(Stage& stage, int association)
     vtkPropCollection* props = stage.Renderer->GetViewProps();
     std::string text =
       "prop " + std::to_string(props->IsItemPresent(vtkObject::SafeDownCast(prop)));
+    if (node->GetProperties()->Has(vtkSelectionNode::COMPOSITE_INDEX()))
+    {
+      text +=
+        " block " + std::to_string(node->GetProperties()->Get(vtkSelectionNode::COMPOSITE_INDEX()));
+    }
     vtkDataArray* ids = vtkDataArray::SafeDownCast(node->GetSelectionList());
     for (vtkIdType j = 0; ids && j < ids->GetNumberOfTuples(); ++j)
     {
@@ -47,6 +52,16 @@ std::string Select(Stage& stage, int association)
     all += node + "\n";
   }
   return all;
+}
+
+//------------------------------------------------------------------------------
+// Props of which VTK picks a part, or in its own way: blocks, parts, glyphs, glass, a volume.
+void AddEverything(Stage& stage, Grid& grid)
+{
+  LightParts parts;
+  AddLitProps(stage.Renderer, grid, parts);
+  AddTranslucentProps(stage.Renderer, grid);
+  AddVolume(stage.Renderer, grid);
 }
 
 //------------------------------------------------------------------------------
@@ -69,14 +84,18 @@ std::vector<float> ReadDepth(Stage& stage, vtkRenderPass* pass)
   stage.Window->GetZbufferData(0, 0, size[0] - 1, size[1] - 1, depth.data());
   return depth;
 }
-}
 
 //------------------------------------------------------------------------------
-int TestHarmlessPicking(int, char*[])
+void CheckPicking(Report& report, int multiSamples, bool everything)
 {
-  Report report;
-  Stage stage(report, 150, 110);
-  Grid grid(4);
+  const std::string with =
+    std::to_string(multiSamples) + (everything ? " samples, everything, " : " samples, ");
+  Stage stage(report, 150, 110, multiSamples);
+  Grid grid(everything ? 7 : 4);
+  if (everything)
+  {
+    AddEverything(stage, grid);
+  }
   for (int i = 0; i < 6; ++i)
   {
     vtkSmartPointer<vtkActor> sphere = MakeActor(MakeSphere(0.45, 12));
@@ -103,8 +122,8 @@ int TestHarmlessPicking(int, char*[])
   stage.Draw(nullptr);
   const std::string cells = Select(stage, vtkDataObject::FIELD_ASSOCIATION_CELLS);
   const std::string points = Select(stage, vtkDataObject::FIELD_ASSOCIATION_POINTS);
-  report.ExpectAtLeast(static_cast<double>(std::count(cells.begin(), cells.end(), '\n')), 6,
-    "props selected by cells");
+  report.ExpectAtLeast(static_cast<double>(std::count(cells.begin(), cells.end(), '\n')),
+    everything ? 15 : 6, with + "nodes selected by cells");
   std::vector<std::string> pickedAmong;
   for (int i = 0; i < 15; ++i)
   {
@@ -118,11 +137,11 @@ int TestHarmlessPicking(int, char*[])
   const std::vector<float> depth = ReadDepth(stage, nullptr);
   report.ExpectAtLeast(static_cast<double>(std::count_if(
                          depth.begin(), depth.end(), [](float z) { return z < 1.0F; })),
-    3000, "pixels with depth");
+    3000, with + "pixels with depth");
 
   for (const auto& pass : passes)
   {
-    const std::string name = pass.first;
+    const std::string name = with + pass.first;
     const Picture before = stage.Draw(pass.second);
     report.Expect(cells == Select(stage, vtkDataObject::FIELD_ASSOCIATION_CELLS),
       name + ", the same cells are selected");
@@ -145,12 +164,23 @@ int TestHarmlessPicking(int, char*[])
   stage.Renderer->SetPass(nullptr);
   vtks->ReleaseGraphicsResources(stage.Window);
   report.SetListening(true);
-  PrintRow("props selected by hardware, of " +
+  PrintRow("props selected by hardware, " + with + "of " +
       std::to_string(std::count(cells.begin(), cells.end(), '\n')),
     "all", std::to_string(std::count(vtksCells.begin(), vtksCells.end(), '\n')));
 
   auto* occlusion = AOPass::SafeDownCast(passes[0].second);
   occlusion->SetOutputModeToOcclusion();
-  report.Expect(depth == ReadDepth(stage, occlusion), "Occlusion, the depth buffer is the same");
+  report.Expect(
+    depth == ReadDepth(stage, occlusion), with + "Occlusion, the depth buffer is the same");
+}
+}
+
+//------------------------------------------------------------------------------
+int TestHarmlessPicking(int, char*[])
+{
+  Report report;
+  CheckPicking(report, 0, false);
+  CheckPicking(report, 4, false);
+  CheckPicking(report, 0, true);
   return report.GetResult();
 }

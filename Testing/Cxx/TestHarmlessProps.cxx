@@ -3,6 +3,9 @@
 // Strong occlusion changes the lit surfaces and nothing else: background, unlit props, lines,
 // wireframe, visible edges, text, overlays and specular light stay as they are.
 
+#include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkSSAOTestCompatibility.h"
 #include "vtkSSAOTestEverything.h"
 
 namespace
@@ -138,12 +141,115 @@ void CheckEdges(Report& report)
     report.Same(name, plain, stage.Draw(pass), 1.0 * Step);
   }
 }
+
+//------------------------------------------------------------------------------
+// A plate over the spheres in three blocks: one hidden, one of glass, one shown far away.
+void AddBlocksOfNoEffect(vtkRenderer* renderer)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    vtkNew<vtkPlaneSource> plate;
+    const double z = i < 2 ? 0.6 : -50.0;
+    plate->SetOrigin(-0.5, -0.5, z);
+    plate->SetPoint1(3.0, -0.5, z);
+    plate->SetPoint2(-0.5, 3.0, z);
+    plate->Update();
+    blocks->SetBlock(i, plate->GetOutput());
+  }
+  vtkNew<vtkSSAOTestCompositeMapper> mapper;
+  mapper->SetInputDataObject(blocks);
+  mapper->ScalarVisibilityOff();
+  vtkNew<vtkCompositeDataDisplayAttributes> attributes;
+  mapper->SetCompositeDataDisplayAttributes(attributes);
+  mapper->SetBlockVisibility(1, false);
+  mapper->SetBlockOpacity(2, 0.4);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  renderer->AddActor(actor);
+}
+
+//------------------------------------------------------------------------------
+// What is no opaque lit surface, or is hidden, changes V nowhere.
+void CheckCastsNothing(Report& report)
+{
+  const std::pair<const char*, std::function<void(vtkRenderer*)>> kinds[] = {
+    { "glass",
+      [](vtkRenderer* renderer)
+      {
+        Grid grid(3);
+        AddTranslucentProps(renderer, grid);
+      } },
+    { "volume",
+      [](vtkRenderer* renderer)
+      {
+        Grid grid(3);
+        AddVolume(renderer, grid);
+      } },
+    { "annotations",
+      [](vtkRenderer* renderer)
+      {
+        Grid grid(3);
+        AddAnnotations(renderer, grid);
+      } },
+    { "hidden actor",
+      [](vtkRenderer* renderer)
+      {
+        vtkSmartPointer<vtkActor> actor = MakeActor(MakeSphere(1.0));
+        actor->VisibilityOff();
+        renderer->AddActor(actor);
+      } },
+    { "blocks that are hidden, of glass or far away", AddBlocksOfNoEffect },
+  };
+  for (int preset = 0; preset < 3; ++preset)
+  {
+    vtkNew<AOPass> pass;
+    preset == 0 ? pass->SetQualityToFast()
+                : (preset == 1 ? pass->SetQualityToBalanced() : pass->SetQualityToAccurate());
+    pass->SetRadius(0.7);
+    pass->SetOutputModeToOcclusion();
+    const auto draw = [&](const std::function<void(vtkRenderer*)>& add)
+    {
+      Stage stage(report, 160, 120);
+      AddLitScene(stage);
+      Grid(4).Look(stage.Renderer);
+      stage.Camera()->SetFocalPoint(1.5, 1.5, 0.0);
+      if (add)
+      {
+        add(stage.Renderer);
+      }
+      const Picture picture = stage.Draw(pass);
+      stage.Renderer->SetPass(nullptr);
+      pass->ReleaseGraphicsResources(stage.Window);
+      return picture;
+    };
+    const Picture alone = draw(nullptr);
+    const std::string name = "V, preset " + std::to_string(preset) + ", ";
+    report.Differ(
+      name + "there is occlusion", alone, Picture::Of([](float) { return 1.0; }, alone), 0.1, 2000);
+    // A plate that is there does change it.
+    report.Differ(name + "a plate", alone,
+      draw(
+        [](vtkRenderer* renderer)
+        {
+          AddBlocksOfNoEffect(renderer);
+          auto* actor = vtkActor::SafeDownCast(renderer->GetViewProps()->GetLastProp());
+          vtkSSAOTestCompositeMapper::SafeDownCast(actor->GetMapper())->RemoveBlockVisibility(1);
+        }),
+      0.1, 1000);
+    for (const auto& kind : kinds)
+    {
+      report.Same(name + kind.first, alone, draw(kind.second), 0.0);
+    }
+  }
+}
 }
 
 //------------------------------------------------------------------------------
 int TestHarmlessProps(int, char*[])
 {
   Report report;
+  CheckCastsNothing(report);
   CheckOthers(report, 0, false);
   CheckOthers(report, 0, true);
   CheckOthers(report, 4, true);

@@ -94,6 +94,36 @@ void CheckStereo(Report& report)
 }
 
 //------------------------------------------------------------------------------
+// Both eyes are drawn in one frame, by one pass: each has the occlusion that it has alone.
+void CheckEyes(Report& report)
+{
+  Stage stage(report, 120, 90);
+  vtkSSAOAddFloorAndSpheres(stage.Renderer, 9, 0.5);
+  stage.Window->SetStereoCapableWindow(1);
+  stage.Window->StereoRenderOn();
+  vtkNew<AOPass> pass;
+  pass->SetRadius(0.8);
+  const auto draw = [&](int type)
+  {
+    stage.Window->SetStereoType(type);
+    return stage.Draw(pass);
+  };
+  const Picture left = draw(VTK_STEREO_LEFT);
+  const Picture right = draw(VTK_STEREO_RIGHT);
+  report.Differ("eyes, there is occlusion", left, stage.Draw(nullptr), 0.1, 100);
+  report.Differ("eyes see different pictures", left, right, 0.1, 50);
+  const Picture both = draw(VTK_STEREO_INTERLACED); // a row for each in turn
+  int rows = 0;
+  for (int y = 0; y < both.Height; ++y)
+  {
+    const Picture& eye = y % 2 ? right : left;
+    rows += std::equal(both.At(0, y), both.At(0, y) + std::ptrdiff_t(3) * both.Width, eye.At(0, y));
+  }
+  report.Equal("rows as their eye sees them alone", both.Height, rows);
+  stage.Renderer->SetPass(nullptr);
+}
+
+//------------------------------------------------------------------------------
 // Occlusion in a magnified picture is that in a window of the size, seams included.
 void CheckSeams(Report& report, bool parallel, int preset)
 {
@@ -107,7 +137,8 @@ void CheckSeams(Report& report, bool parallel, int preset)
   vtkNew<AOPass> pass;
   const auto choose = [&]
   {
-    preset == 0 ? pass->SetQualityToFast() : pass->SetQualityToBalanced();
+    preset == 0 ? pass->SetQualityToFast()
+                : (preset == 1 ? pass->SetQualityToBalanced() : pass->SetQualityToAccurate());
     pass->SetRadius(0.8);
     pass->SetIntensity(2.0);
   };
@@ -119,6 +150,7 @@ void CheckSeams(Report& report, bool parallel, int preset)
   Stage whole(report, 100 * scale, 80 * scale);
   build(whole);
   const Picture expected = whole.Draw(pass);
+  const Picture plainWhole = whole.Draw(nullptr);
   const std::string name =
     std::string(parallel ? "parallel, preset " : "preset ") + std::to_string(preset);
   report.Differ(name + ", there is occlusion", plain, tiles, 0.1, 1000);
@@ -136,13 +168,21 @@ void CheckSeams(Report& report, bool parallel, int preset)
       const double difference = DifferenceAt(expected, tiles, x, y);
       sums[toSeam < 10] += difference;
       ++counts[toSeam < 10];
-      worst = std::max(worst, static_cast<int>(std::lround(255.0 * difference)));
+      // VTK itself draws some silhouettes otherwise in tiles.
+      if (DifferenceAt(plainWhole, plain, x, y) == 0.0)
+      {
+        worst = std::max(worst, static_cast<int>(std::lround(255.0 * difference)));
+      }
     }
   }
   const double away = sums[0] / counts[0] * 255.0;
   const double beside = sums[1] / counts[1] * 255.0;
   std::cout << name << ": mean difference away from seams " << away << "/255, beside them "
             << beside << "/255, largest " << worst << "/255" << std::endl;
+  // Noise starts anew in each tile, so that V differs by what of it the denoiser leaves.
+  report.ExpectAtMost(away, 1.0, name + ", mean difference away from the seams, in 1/255");
+  // The same, at Intensity 2.
+  report.ExpectAtMost(worst, 8, name + ", largest difference in 1/255");
   report.ExpectAtMost(beside, away + 0.25, name + ", mean difference beside the seams, in 1/255");
 }
 }
@@ -172,8 +212,10 @@ int TestHarmlessScreenshots(int, char*[])
   { return Shoot(stage, pass, 1, VTK_ZBUFFER); };
   CheckHarmless(report, "depth buffer", build, options);
   CheckStereo(report);
+  CheckEyes(report);
   CheckSeams(report, false, 0);
   CheckSeams(report, false, 1);
+  CheckSeams(report, false, 2);
   CheckSeams(report, true, 1);
   return report.GetResult();
 }

@@ -2,17 +2,19 @@
 
 // The pass leaves OpenGL as it found it, comes and goes without a trace, and keeps antialiasing.
 
-#include "vtkSSAOTestEverything.h"
-#include "vtkSSAOTestOpenGL.h"
-#include "vtkSSAOTestShapes.h"
-
 #include "vtkCameraPass.h"
 #include "vtkLightsPass.h"
 #include "vtkOpaquePass.h"
+#include "vtkOpenGLFramebufferObject.h"
+#include "vtkSSAOTestEverything.h"
+#include "vtkSSAOTestOpenGL.h"
+#include "vtkSSAOTestShapes.h"
 #include "vtkSequencePass.h"
 
 #include <GL/gl.h>
 #include <GL/glext.h>
+
+#include <iostream>
 
 namespace
 {
@@ -183,9 +185,10 @@ void CheckToggling(Report& report)
 
 //------------------------------------------------------------------------------
 // Colour at silhouettes lies between surface and background, as without the pass.
-void CheckAntialiasing(Report& report)
+void CheckAntialiasing(Report& report, int samples)
 {
-  Stage stage(report, 120, 120, 4);
+  // The window asks for so many samples; the driver may have fewer.
+  Stage stage(report, 120, 120, samples);
   vtkSmartPointer<vtkActor> sphere = MakeActor(MakeSphere(0.5, 40));
   sphere->GetProperty()->SetAmbient(1.0);
   sphere->GetProperty()->SetDiffuse(0.0);
@@ -194,6 +197,11 @@ void CheckAntialiasing(Report& report)
   stage.Camera()->SetPosition(0.0, 0.0, 2.5);
   stage.Camera()->SetClippingRange(1.0, 4.0);
   const Picture plain = stage.Draw(nullptr);
+  const std::string asked = std::to_string(samples) + " samples asked for, ";
+  std::cout
+    << asked << "the driver gives "
+    << vtkOpenGLRenderWindow::SafeDownCast(stage.Window)->GetRenderFramebuffer()->GetMultiSamples()
+    << std::endl;
   const Picture half = Picture::Of([](float value) { return 0.5 * value; }, plain);
   vtkNew<AOPass> pass;
   pass->SetModulationToAmbient();
@@ -204,9 +212,11 @@ void CheckAntialiasing(Report& report)
   {
     soft += plain.Values[i] > 0.1F && plain.Values[i] < 0.9F ? 1 : 0;
   }
-  report.ExpectAtLeast(soft, 150, "antialiased pixels without the pass");
+  report.ExpectAtLeast(soft, 100, asked + "antialiased pixels without the pass");
   // Half a step for either picture.
-  report.Same("silhouettes at V 1/2", half, actual, 1.0 * Step);
+  report.Same(asked + "silhouettes at V 1/2", half, actual, 1.0 * Step);
+  ForceVisibility(pass, 1.0);
+  report.Same(asked + "V 1", plain, stage.Draw(pass), 0.0);
 }
 }
 
@@ -218,6 +228,9 @@ int TestHarmlessState(int, char*[])
   CheckOpenGL(report, 4, GL_FUNC_ADD);
   CheckOpenGL(report, 0, GL_MAX);
   CheckToggling(report);
-  CheckAntialiasing(report);
+  for (const int samples : { 2, 4, 8, 16 })
+  {
+    CheckAntialiasing(report, samples);
+  }
   return report.GetResult();
 }

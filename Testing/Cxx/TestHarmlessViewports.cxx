@@ -2,7 +2,9 @@
 
 // Several renderers in one window: viewports, layers, and a second renderer that does not erase.
 
+#include "vtkRendererCollection.h"
 #include "vtkSSAOTestEverything.h"
+#include "vtkSSAOTestHarmless.h"
 
 namespace
 {
@@ -55,6 +57,41 @@ void CheckViewports(Report& report, int multiSamples)
   }
   together.Render();
   const Picture all = together.Read();
+  const auto drawAll = [&](const std::function<vtkRenderPass*(int)>& passOf)
+  {
+    vtkCollectionSimpleIterator it;
+    vtkRendererCollection* renderers = together.Window->GetRenderers();
+    renderers->InitTraversal(it);
+    for (int i = 0; vtkRenderer* renderer = renderers->GetNextRenderer(it); ++i)
+    {
+      renderer->SetPass(passOf(i));
+    }
+    together.Render();
+    return together.Read();
+  };
+  const Picture plain = drawAll([](int) { return nullptr; });
+  for (AOPass* pass : passes)
+  {
+    ForceVisibility(pass, 1.0);
+  }
+  const Picture open = drawAll([&](int i) { return passes[i]; });
+  const std::string samples = std::to_string(multiSamples) + " samples";
+  report.Same(samples + ", viewports, V 1", plain, open, 1.0 * Step);
+  report.SetListening(false);
+  std::vector<vtkSmartPointer<vtkSSAOPass>> vtks;
+  for (int i = 0; i < 4; ++i)
+  {
+    vtks.push_back(MakeVTKPass());
+  }
+  const Picture ofVTK = drawAll([&](int i) { return vtks[i]; });
+  drawAll([&](int i) { return passes[i]; });
+  for (vtkSSAOPass* pass : vtks)
+  {
+    pass->ReleaseGraphicsResources(together.Window);
+  }
+  report.SetListening(true);
+  PrintRow("2 x 2 viewports, " + samples, std::to_string(LargestDifference(plain, open)),
+    std::to_string(LargestDifference(plain, ofVTK)));
   for (int i = 0; i < 4; ++i)
   {
     Stage alone(report, width, height, multiSamples);
@@ -72,9 +109,9 @@ void CheckViewports(Report& report, int multiSamples)
 
 //------------------------------------------------------------------------------
 // A second renderer over the first: on a layer of its own, or on the same one without erasing.
-void CheckOverlay(Report& report, bool layer, bool preserveDepth)
+void CheckOverlay(Report& report, bool layer, bool preserveDepth, int multiSamples = 0)
 {
-  Stage stage(report, 160, 120);
+  Stage stage(report, 160, 120, multiSamples);
   BuildScene(stage.Renderer, 2);
   vtkNew<vtkRenderer> second;
   BuildScene(second, 0);
@@ -102,15 +139,28 @@ void CheckOverlay(Report& report, bool layer, bool preserveDepth)
     second->SetPass(above);
     return stage.Draw(below);
   };
-  const std::string name =
-    std::string(layer ? "layers" : "no erase") + (preserveDepth ? ", depth kept" : "");
+  const std::string name = std::string(layer ? "layers" : "no erase") +
+    (preserveDepth ? ", depth kept" : "") +
+    (multiSamples ? ", " + std::to_string(multiSamples) + " samples" : "");
   const Picture plain = draw(nullptr, nullptr);
   report.Differ(name + ", the second renderer draws", plainAlone, plain, 0.1, 300);
   ForceVisibility(secondPass, 1.0);
   vtkNew<AOPass> open;
   ForceVisibility(open, 1.0);
   // The contract for V = 1.
-  report.Same(name + ", V 1", plain, draw(open, secondPass), 1.0 * Step);
+  const Picture openPicture = draw(open, secondPass);
+  report.Same(name + ", V 1", plain, openPicture, 1.0 * Step);
+  report.SetListening(false);
+  vtkSmartPointer<vtkSSAOPass> vtks[2] = { MakeVTKPass(), MakeVTKPass() };
+  const Picture ofVTK = draw(vtks[0], vtks[1]);
+  draw(nullptr, nullptr);
+  for (vtkSSAOPass* pass : vtks)
+  {
+    pass->ReleaseGraphicsResources(stage.Window);
+  }
+  report.SetListening(true);
+  PrintRow(name, std::to_string(LargestDifference(plain, openPicture)),
+    std::to_string(LargestDifference(plain, ofVTK)));
 
   // The second renderer's pass touches the second renderer's pixels only, and the first's the
   // first's.
@@ -119,12 +169,63 @@ void CheckOverlay(Report& report, bool layer, bool preserveDepth)
   ForceVisibility(secondPass, 0.3);
   const Picture both = draw(firstPass, secondPass);
   report.Same(name + ", the first renderer", firstAlone, both, 0.0, below, 5000);
-  report.Same(name + ", the second renderer", draw(nullptr, secondPass), both, 0.0, above, 300);
+  // Samples of silhouettes show the first renderer, too.
+  const Mask inside = SmoothPixels(plain, 0.1);
+  report.Same(
+    name + ", the second renderer", draw(nullptr, secondPass), both, 0.0,
+    [&](int x, int y) { return above(x, y) && (!multiSamples || inside(x, y)); }, 300);
   report.Differ(name + ", the second is darkened", plain, both, 0.1, 300, above);
 }
 
 //------------------------------------------------------------------------------
-// Parts of a picture that is magnified in tiles join.
+// A renderer that does not erase: what it drew before stays where nothing is drawn over it.
+void CheckTrail(Report& report, int multiSamples)
+{
+  const std::string name =
+    "one renderer without erasing, " + std::to_string(multiSamples) + " samples";
+  const auto draw = [&](vtkRenderPass* pass)
+  {
+    Stage stage(report, 160, 120, multiSamples);
+    vtkSmartPointer<vtkActor> sphere = MakeActor(MakeSphere(0.5));
+    stage.Renderer->AddActor(sphere);
+    stage.Camera()->SetPosition(0.0, 0.0, 6.0);
+    stage.Camera()->SetClippingRange(4.0, 8.0);
+    for (double x : { -0.9, 0.0, 0.9 })
+    {
+      sphere->SetPosition(x, 0.3 * x, 0.0);
+      stage.Draw(pass);
+      stage.Renderer->EraseOff();
+    }
+    const Picture picture = stage.Read();
+    stage.Renderer->SetPass(nullptr);
+    if (pass)
+    {
+      pass->ReleaseGraphicsResources(stage.Window);
+    }
+    return picture;
+  };
+  const Picture plain = draw(nullptr);
+  int left = 0;
+  for (int y = 0; y < plain.Height; ++y)
+  {
+    left += plain.At(45, y)[0] > 0.5F ? 1 : 0;
+  }
+  report.ExpectAtLeast(left, 10, name + ", pixels that show the first frame");
+  vtkNew<AOPass> pass;
+  ForceVisibility(pass, 1.0);
+  const Picture open = draw(pass);
+  report.Same(name + ", V 1", plain, open, 1.0 * Step);
+  pass->SetIntensity(0.0);
+  report.Same(name + ", Intensity 0", plain, draw(pass), 1.0 * Step);
+  report.SetListening(false);
+  const Picture ofVTK = draw(MakeVTKPass());
+  report.SetListening(true);
+  PrintRow(name, std::to_string(LargestDifference(plain, open)),
+    std::to_string(LargestDifference(plain, ofVTK)));
+}
+
+//------------------------------------------------------------------------------
+// A viewport whose corner is on no whole pixel.
 void CheckViewportWithBorders(Report& report)
 {
   // A viewport whose corner is on no whole pixel of the window.
@@ -153,6 +254,11 @@ int TestHarmlessViewports(int, char*[])
   CheckOverlay(report, true, false);
   CheckOverlay(report, true, true);
   CheckOverlay(report, false, false);
+  CheckOverlay(report, false, true);
+  CheckOverlay(report, true, false, 4);
+  CheckOverlay(report, false, false, 4);
+  CheckTrail(report, 0);
+  CheckTrail(report, 4);
   CheckViewportWithBorders(report);
   return report.GetResult();
 }

@@ -152,6 +152,60 @@ void TestOrderOfDeath(vtkSSAOTestMonitor& test)
 }
 
 //------------------------------------------------------------------------------
+// The context goes while the pass is not in use, so that nobody tells it.
+void TestLossUnnoticed(vtkSSAOTestMonitor& test, int samples)
+{
+  const std::string with = ", " + std::to_string(samples) + " samples";
+  vtkSSAOTestView view(test, 80, 60, samples);
+  vtkSSAOAddStillLife(view);
+  vtkSSAOLookAtStillLife(view, false);
+  vtkSmartPointer<vtkImageData> first = view.Picture();
+  view.Renderer->SetPass(nullptr);
+  view.Picture();
+  view.Window->Finalize();
+  vtkNew<vtkImageData> image;
+  test.Expect(!view.Pass->GetVisibility(image), "no visibility of a context that is gone" + with);
+  test.Expect(!view.Pass->GetGeometry(image), "no geometry of a context that is gone" + with);
+  test.Expect(!view.Pass->GetSolids(image), "no solids of a context that is gone" + with);
+  view.Picture();
+  view.Renderer->SetPass(view.Pass);
+  test.ExpectEqual(
+    Difference(view.Picture(), first), 0, "picture after a loss that nobody told of" + with);
+
+  // The same with the renderer out of the window.
+  view.Window->RemoveRenderer(view.Renderer);
+  view.Window->Finalize();
+  test.Expect(!view.Pass->GetVisibility(image), "no visibility without the window" + with);
+  view.Window->AddRenderer(view.Renderer);
+  test.ExpectEqual(Difference(view.Picture(), first), 0, "picture in the window again" + with);
+
+  // A renderer and its pass move to another window, and the first one dies.
+  vtkSmartPointer<vtkRenderWindow> old = view.Window;
+  old->RemoveRenderer(view.Renderer);
+  view.Window = vtkSmartPointer<vtkRenderWindow>::New();
+  view.Window->SetOffScreenRendering(1);
+  view.Window->SetMultiSamples(samples);
+  view.Window->SetSize(80, 60);
+  view.Window->AddRenderer(view.Renderer);
+  test.ExpectEqual(Difference(view.Picture(), first), 0, "picture in another window" + with);
+  old = nullptr;
+  test.ExpectEqual(
+    Difference(view.Picture(), first), 0, "picture after the death of the first window" + with);
+  // And back to one of the same kind, after the window died first.
+  view.Renderer->SetPass(nullptr);
+  view.Window->RemoveRenderer(view.Renderer);
+  view.Window = nullptr;
+  test.Expect(!view.Pass->GetVisibility(image), "no visibility of a dead window" + with);
+  view.Window = vtkSmartPointer<vtkRenderWindow>::New();
+  view.Window->SetOffScreenRendering(1);
+  view.Window->SetMultiSamples(samples);
+  view.Window->SetSize(80, 60);
+  view.Window->AddRenderer(view.Renderer);
+  view.Renderer->SetPass(view.Pass);
+  test.ExpectEqual(Difference(view.Picture(), first), 0, "picture in a third window" + with);
+}
+
+//------------------------------------------------------------------------------
 void TestSharedPass(vtkSSAOTestMonitor& test, int samples)
 {
   const std::string with = ", " + std::to_string(samples) + " samples";
@@ -254,6 +308,7 @@ int TestLifetime(int, char*[])
   {
     TestRelease(test, samples);
     TestResize(test, samples);
+    TestLossUnnoticed(test, samples);
     TestSharedPass(test, samples);
   }
   TestOrderOfDeath(test);

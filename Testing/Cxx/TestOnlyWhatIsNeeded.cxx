@@ -78,6 +78,9 @@ void TestUnchangedFrames(vtkSSAOTestMonitor& test, int preset)
     { "visibility", [&] { sphere->VisibilityOff(); } },
     { "radius", [&] { view.Pass->SetRadius(0.5); } },
     { "directions", [&] { view.Pass->SetDirections(5); } },
+    { "coincident topology", [] { vtkMapper::SetResolveCoincidentTopologyToPolygonOffset(); } },
+    { "shift of coincident topology",
+      [] { vtkMapper::SetResolveCoincidentTopologyPolygonOffsetParameters(3.0, 5.0); } },
     { "window", [&] { view.Window->SetSize(90, 90); } },
   };
   for (const auto& change : changes)
@@ -92,6 +95,9 @@ void TestUnchangedFrames(vtkSSAOTestMonitor& test, int preset)
     test.ExpectEqual(view.Pass->GetNumberOfEstimatedPixels(), 0,
       what + change.first + ", pixels estimated for the frame after");
   }
+  // For all mappers of the process.
+  vtkMapper::SetResolveCoincidentTopologyToDefault();
+  vtkMapper::SetResolveCoincidentTopologyPolygonOffsetParameters(2.0, 2.0);
 }
 
 //------------------------------------------------------------------------------

@@ -4,12 +4,17 @@
 // OpenGL, and a visibility between 0 and 1 in every pixel. Arguments: first case and number of
 // cases.
 
-#include "vtkSSAOTestEverything.h"
-
+#include "vtkAssembly.h"
+#include "vtkCameraPass.h"
 #include "vtkConeSource.h"
 #include "vtkCubeSource.h"
 #include "vtkDiskSource.h"
 #include "vtkGlyph3DMapper.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkOpaquePass.h"
+#include "vtkProp3D.h"
+#include "vtkSSAOTestCompatibility.h"
+#include "vtkSSAOTestEverything.h"
 #include "vtkTriangleFilter.h"
 
 namespace
@@ -148,6 +153,57 @@ void AddProps(vtkRenderer* renderer, Chance& chance, double scale)
 }
 
 //------------------------------------------------------------------------------
+// Now and then what the pass must leave alone, and what it draws in another way.
+void AddOthers(vtkRenderer* renderer, Chance& chance, double scale)
+{
+  Grid grid(2);
+  if (chance.Likely(0.15))
+  {
+    AddTranslucentProps(renderer, grid);
+  }
+  if (chance.Likely(0.1))
+  {
+    AddVolume(renderer, grid);
+    vtkProp3D::SafeDownCast(renderer->GetViewProps()->GetLastProp())->SetScale(scale);
+  }
+  if (chance.Likely(0.1))
+  {
+    AddAnnotations(renderer, grid);
+  }
+  if (chance.Likely(0.1))
+  {
+    vtkNew<vtkMultiBlockDataSet> blocks;
+    blocks->SetNumberOfBlocks(3);
+    blocks->SetBlock(0, MakeMesh(chance));
+    blocks->SetBlock(2, MakeMesh(chance));
+    vtkNew<vtkSSAOTestCompositeMapper> mapper;
+    mapper->SetInputDataObject(blocks);
+    mapper->ScalarVisibilityOff();
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    actor->SetScale(scale);
+    renderer->AddActor(actor);
+  }
+  if (chance.Likely(0.1))
+  {
+    vtkNew<vtkAssembly> assembly;
+    assembly->AddPart(MakeActor(MakeMesh(chance)));
+    assembly->AddPart(MakeActor(MakeMesh(chance)));
+    assembly->SetScale(scale);
+    renderer->AddActor(assembly);
+  }
+  if (chance.Likely(0.2))
+  {
+    renderer->GradientBackgroundOn();
+    renderer->SetBackground2(chance.Next(), chance.Next(), chance.Next());
+  }
+  if (chance.Likely(0.2))
+  {
+    SetBrightLights(renderer);
+  }
+}
+
+//------------------------------------------------------------------------------
 void PlaceCamera(vtkRenderer* renderer, Chance& chance, double scale)
 {
   vtkCamera* camera = renderer->GetActiveCamera();
@@ -167,6 +223,16 @@ void PlaceCamera(vtkRenderer* renderer, Chance& chance, double scale)
 // Few programs are built, because each control is a uniform: estimators and denoisers are not.
 void SetParameters(AOPass* pass, Chance& chance, double scale)
 {
+  if (chance.Likely(0.3))
+  {
+    // As most programs have it.
+    const int quality = chance.Of(3);
+    quality == 0 ? pass->SetQualityToFast()
+                 : (quality == 1 ? pass->SetQualityToBalanced() : pass->SetQualityToAccurate());
+    pass->SetRadius(chance.Likely(0.5) ? 0.0 : scale * chance.Next());
+    pass->SetOutputModeToComposite();
+    return;
+  }
   pass->SetEstimator(chance.Of(AOPass::LayeredBitmask + 1));
   pass->SetDenoiser(chance.Of(AOPass::EdgeAware + 1));
   pass->SetModulation(chance.Of(3));
@@ -190,6 +256,30 @@ void SetParameters(AOPass* pass, Chance& chance, double scale)
   pass->SetIntensityScale(chance.In(0.0, 10.0));
   pass->SetIntensityShift(chance.In(-1.0, 1.0));
   pass->SetOutputMode(chance.Likely(0.5) ? 0 : chance.Of(5));
+  pass->SetRefinement(chance.Likely(0.5));
+  pass->SetStageTiming(chance.Likely(0.1));
+}
+
+//------------------------------------------------------------------------------
+// No delegate, as a rule, or one of those that applications have.
+void SetDelegate(AOPass* pass, Chance& chance)
+{
+  vtkSmartPointer<vtkRenderPass> delegate;
+  if (chance.Likely(0.15))
+  {
+    delegate = vtkSmartPointer<vtkRenderStepsPass>::New();
+  }
+  else if (chance.Likely(0.1))
+  {
+    delegate = vtkSmartPointer<vtkOpaquePass>::New();
+  }
+  else if (chance.Likely(0.1))
+  {
+    vtkNew<vtkCameraPass> camera;
+    camera->SetDelegatePass(vtkSmartPointer<vtkRenderStepsPass>::New());
+    delegate = camera;
+  }
+  pass->SetDelegatePass(delegate);
 }
 
 //------------------------------------------------------------------------------
@@ -250,8 +340,10 @@ int TestRandomScenes(int argc, char* argv[])
     stage->Window->AddRenderer(renderer);
     const double scale = std::pow(10.0, chance.In(-5.0, 5.0));
     AddProps(renderer, chance, scale);
+    AddOthers(renderer, chance, scale);
     PlaceCamera(renderer, chance, scale);
     SetParameters(pass, chance, scale);
+    SetDelegate(pass, chance);
     if (chance.Likely(0.2))
     {
       renderer->SetViewport(0.5 * chance.Next(), 0.5 * chance.Next(), 0.6 + 0.4 * chance.Next(),

@@ -219,8 +219,16 @@ int TestStableBadGeometry(int, char*[])
     test, "Bad geometry", "pixels with V not from 0 to 1", vtkSSAOStability::AtMost, 0.0);
   vtkSSAOStability open(
     test, "Bad geometry where nothing occludes", "mean V", vtkSSAOStability::AtLeast, 0.998);
+  // A hundredth, as for an open plane: rounding of depths and facets.
+  vtkSSAOStability smallest(
+    test, "The same, every pixel", "smallest V", vtkSSAOStability::AtLeast, 0.99);
+  // Rounding decides from pixel to pixel which of the two is seen, and with which of them solids
+  // begin; a pixel that is refined is the mean of six sides of slices only.
+  vtkSSAOStability fighting(test, "Faces in one place wound both ways, every pixel", "smallest V",
+    vtkSSAOStability::AtLeast, 0.95);
   for (const auto& scene : Scenes())
   {
+    const bool isFighting = scene.first == "coincident faces, wound both ways";
     for (bool parallel : { false, true })
     {
       vtkSSAOTestView view(test, 150, 100);
@@ -253,11 +261,14 @@ int TestStableBadGeometry(int, char*[])
           {
             const vtkSSAOStatistics surfaces = view.MeasureSurfaces(v);
             open.Ours(preset, surfaces.Mean, what);
+            (isFighting ? fighting : smallest).Ours(preset, surfaces.Minimum, what);
             test.ExpectAtLeast(surfaces.Count, 2000, what + ": pixels of a surface");
           }
         }
       }
-      open.VTK(view.MeasureSurfaces(view.VisibilityOfVTK(1.0)).Mean, scene.first);
+      const vtkSSAOStatistics ofVTK = view.MeasureSurfaces(view.VisibilityOfVTK(1.0));
+      open.VTK(ofVTK.Mean, scene.first);
+      (isFighting ? fighting : smallest).VTK(ofVTK.Minimum, scene.first);
     }
   }
   return test.GetResult();

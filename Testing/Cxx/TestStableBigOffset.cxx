@@ -3,20 +3,10 @@
 // Visibility does not depend on where in the world a scene is: points in double far from the
 // origin, as in map coordinates, with the camera along.
 
-#include "vtkActor.h"
-#include "vtkActorCollection.h"
-#include "vtkCamera.h"
-#include "vtkMapper.h"
-#include "vtkNew.h"
-#include "vtkPolyData.h"
-#include "vtkPolyDataMapper.h"
-#include "vtkRenderer.h"
 #include "vtkSSAOStability.h"
 #include "vtkSSAOTestMonitor.h"
 #include "vtkSSAOTestShapes.h"
 #include "vtkSSAOTestView.h"
-#include "vtkTransform.h"
-#include "vtkTransformPolyDataFilter.h"
 
 #include <array>
 #include <string>
@@ -25,43 +15,6 @@
 namespace
 {
 using Offset = std::array<double, 3>;
-
-//------------------------------------------------------------------------------
-// Moves the points of all actors themselves, in double, and the camera with them.
-void Move(vtkSSAOTestView& view, const Offset& offset)
-{
-  vtkActorCollection* actors = view.Renderer->GetActors();
-  vtkCollectionSimpleIterator it;
-  actors->InitTraversal(it);
-  while (vtkActor* actor = actors->GetNextActor(it))
-  {
-    vtkNew<vtkTransform> transform;
-    transform->Translate(offset.data());
-    transform->Concatenate(actor->GetMatrix());
-    vtkNew<vtkTransformPolyDataFilter> filter;
-    filter->SetInputDataObject(actor->GetMapper()->GetInputDataObject(0, 0));
-    filter->SetTransform(transform);
-    filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-    filter->Update();
-    vtkPolyDataMapper::SafeDownCast(actor->GetMapper())->SetInputData(filter->GetOutput());
-    actor->SetPosition(0.0, 0.0, 0.0);
-    actor->SetOrientation(0.0, 0.0, 0.0);
-    actor->SetScale(1.0);
-  }
-  vtkCamera* camera = view.Renderer->GetActiveCamera();
-  double from[3];
-  double at[3];
-  camera->GetPosition(from);
-  camera->GetFocalPoint(at);
-  for (int i = 0; i < 3; ++i)
-  {
-    from[i] += offset[i];
-    at[i] += offset[i];
-  }
-  camera->SetPosition(from);
-  camera->SetFocalPoint(at);
-  view.Renderer->ResetCameraClippingRange();
-}
 }
 
 //------------------------------------------------------------------------------
@@ -85,12 +38,12 @@ int TestStableBigOffset(int, char*[])
       vtkSSAOTestView view(test, 150, 100);
       vtkSSAOAddStillLife(view);
       vtkSSAOLookAtStillLife(view, parallel);
-      Move(view, offset);
+      vtkSSAOMoveScene(view, offset);
       view.Pass->SetRadius(0.5);
       vtkSSAOTestView plane(test, 150, 100);
       vtkSSAOAddFloor(plane);
       vtkSSAOLookAtCorner(plane, parallel);
-      Move(plane, offset);
+      vtkSSAOMoveScene(plane, offset);
       plane.Pass->SetRadius(1.0);
       for (int preset = 0; preset < vtkSSAOTestView::NumberOfPresets; ++preset)
       {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // The size of the picture does not matter: the error against the ray-traced truth is the same from
-// 222 to 1998 pixels square and in an odd size; pictures of one pixel, very large and very long
-// ones are drawn.
+// 222 to 4218 pixels square, in an odd size, and in the middle of very wide and very high ones;
+// pictures of one pixel are drawn.
 
+#include "vtkCamera.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkSSAOStability.h"
@@ -21,7 +22,8 @@
 namespace
 {
 constexpr double Radius = 0.5;
-constexpr int Smallest = 222;                                         // pixels
+constexpr int Smallest = 222; // pixels
+constexpr int Largest = 19;   // times the smallest; odd, see EachOf()
 constexpr int NumberOfMethods = vtkSSAOTestView::NumberOfPresets + 1; // the last is VTK's pass
 constexpr int MethodOfVTK = vtkSSAOTestView::NumberOfPresets;
 using Errors = std::array<double, NumberOfMethods>;
@@ -66,7 +68,7 @@ void Note(vtkSSAOStability& row, const Errors& errors, const Errors& first, cons
 //------------------------------------------------------------------------------
 void CompareErrors(vtkSSAOTestMonitor& test)
 {
-  vtkSSAOStability row(test, "Pictures of 222 to 1998 pixels square",
+  vtkSSAOStability row(test, "Pictures of 222 to 4218 pixels square",
     "difference of the RMSE against the truth from 222 pixels", vtkSSAOStability::AtMost, 0.01);
   vtkSSAOTestView view(test, Smallest, Smallest);
   vtkSSAOAddStillLife(view);
@@ -85,6 +87,16 @@ void CompareErrors(vtkSSAOTestMonitor& test)
     first = factor == 1 ? errors : first;
     Note(row, errors, first, std::to_string(Smallest * factor) + " pixels square");
   }
+  // As large as is asked for, with the presets only, to save time.
+  view.Window->SetSize(Smallest * Largest, Smallest * Largest);
+  for (int preset = 0; preset < vtkSSAOTestView::NumberOfPresets; ++preset)
+  {
+    row.Ours(preset,
+      std::abs(
+        vtkSSAOTest::ErrorAgainst(truth, EachOf(Render(view, preset), Largest)) - first[preset]),
+      std::to_string(Smallest * Largest) + " pixels square");
+  }
+
   const int odd = Smallest + 1;
   view.Window->SetSize(odd, odd);
   const vtkSSAOTruthImage oddTruth = vtkSSAOTest::TraceTruth(view, Radius, 64);
@@ -94,6 +106,52 @@ void CompareErrors(vtkSSAOTestMonitor& test)
     errors[method] = vtkSSAOTest::ErrorAgainst(oddTruth, Render(view, method));
   }
   Note(row, errors, first, std::to_string(odd) + " pixels square");
+}
+
+//------------------------------------------------------------------------------
+// The middle of pictures fifty times as wide as high, and as high as wide: a square of the same
+// scene and the same scale, whose error is known.
+void CompareAspects(vtkSSAOTestMonitor& test)
+{
+  vtkSSAOStability row(test, "Pictures of 50:1 and 1:50",
+    "difference of the RMSE against the truth from a square of that scale",
+    vtkSSAOStability::AtMost, 0.01);
+  constexpr int edge = 60;
+  constexpr double scale = 1.3;
+  const std::vector<double> from = { 10.3, 17.3, 36.8 }; // before all of the floor
+  const std::vector<double> at = { -0.1, 0.5, 0.0 };
+  vtkSSAOTestView view(test, edge, edge);
+  vtkSSAOAddStillLife(view);
+  view.Pass->SetRadius(Radius);
+  view.LookParallel(from, at, { 0, 1, 0 }, scale);
+  const vtkSSAOTruthImage truth = vtkSSAOTest::TraceTruth(view, Radius, 256);
+  Errors square{};
+  for (int method = 0; method < NumberOfMethods; ++method)
+  {
+    square[method] = vtkSSAOTest::ErrorAgainst(truth, Render(view, method));
+  }
+  for (bool wide : { true, false })
+  {
+    const int width = wide ? 50 * edge : edge;
+    const int height = wide ? edge : 50 * edge;
+    view.Window->SetSize(width, height);
+    view.Renderer->GetActiveCamera()->SetParallelScale(wide ? scale : 50 * scale);
+    Errors errors{};
+    for (int method = 0; method < NumberOfMethods; ++method)
+    {
+      const vtkSSAOTestImage whole = Render(view, method);
+      vtkSSAOTestImage middle(edge, edge);
+      for (int y = 0; y < edge; ++y)
+      {
+        for (int x = 0; x < edge; ++x)
+        {
+          middle.At(x, y) = whole.At((width - edge) / 2 + x, (height - edge) / 2 + y);
+        }
+      }
+      errors[method] = vtkSSAOTest::ErrorAgainst(truth, middle);
+    }
+    Note(row, errors, square, std::to_string(width) + " x " + std::to_string(height) + " pixels");
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -134,6 +192,7 @@ int TestStablePictureSizes(int, char*[])
 {
   vtkSSAOTestMonitor test;
   CompareErrors(test);
+  CompareAspects(test);
   DrawUnusual(test);
   return test.GetResult();
 }

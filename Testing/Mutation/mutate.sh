@@ -139,6 +139,19 @@ mutations()
     'a texture stays behind'
   m texture-not-resized vtkSSAOFullScreenStage.cxx '/(\*texture)->Resize(size\.x, size\.y);/d' \
     'a larger window finds the old texture'
+  m loss-unnoticed vtkSSAOCapturePass.cxx \
+    's/return this->Geometry \&\& !this->Geometry->GetHandle();/return false;/' \
+    'nobody looks whether the context is another one'
+  m dead-textures-read "$pass" 's/if (!texture || !texture->GetHandle())/if (!texture)/' \
+    'textures of a window that is gone are read'
+  m memory-kept vtkSSAOCapturePass.cxx \
+    's/^  this->NumberOfRenderedProps = 0;$/& static std::vector<double*> kept; kept.push_back(new double[8]);/' \
+    'a frame leaves 64 bytes behind'
+  m offsets-forgotten vtkSSAOCapturePass.cxx \
+    's/double(vtkMapper::GetResolveCoincidentTopology()), factor, units,/0.0, 0.0, 0.0,/' \
+    'other offsets of coincident surfaces make no new frame'
+  m output-mode-unsaid "$pass" 's/this->Fail("A shader of the output mode");//' \
+    'an output mode that cannot be drawn is not an error'
 
   # parameters
   m nan-accepted "$pass" 's/!std::isfinite(value) || //' \

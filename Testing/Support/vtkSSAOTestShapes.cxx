@@ -2,10 +2,12 @@
 #include "vtkSSAOTestShapes.h"
 
 #include "vtkActor.h"
+#include "vtkActorCollection.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
 #include "vtkCubeSource.h"
 #include "vtkCylinderSource.h"
+#include "vtkMapper.h"
 #include "vtkNew.h"
 #include "vtkParametricFunctionSource.h"
 #include "vtkParametricTorus.h"
@@ -19,6 +21,8 @@
 #include "vtkSSAOTestView.h"
 #include "vtkScreenSpaceAmbientOcclusionPass.h"
 #include "vtkSphereSource.h"
+#include "vtkTransform.h"
+#include "vtkTransformPolyDataFilter.h"
 
 #include <cstdlib>
 
@@ -137,6 +141,42 @@ void vtkSSAOLookAtStillLife(vtkSSAOTestView& view, bool parallel, double scale)
   {
     view.Look(from, at, { 0, 1, 0 });
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkSSAOMoveScene(vtkSSAOTestView& view, const std::array<double, 3>& offset)
+{
+  vtkActorCollection* actors = view.Renderer->GetActors();
+  vtkCollectionSimpleIterator it;
+  actors->InitTraversal(it);
+  while (vtkActor* actor = actors->GetNextActor(it))
+  {
+    vtkNew<vtkTransform> transform;
+    transform->Translate(offset.data());
+    transform->Concatenate(actor->GetMatrix());
+    vtkNew<vtkTransformPolyDataFilter> filter;
+    filter->SetInputDataObject(actor->GetMapper()->GetInputDataObject(0, 0));
+    filter->SetTransform(transform);
+    filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+    filter->Update();
+    vtkPolyDataMapper::SafeDownCast(actor->GetMapper())->SetInputData(filter->GetOutput());
+    actor->SetPosition(0.0, 0.0, 0.0);
+    actor->SetOrientation(0.0, 0.0, 0.0);
+    actor->SetScale(1.0);
+  }
+  vtkCamera* camera = view.Renderer->GetActiveCamera();
+  double from[3];
+  double at[3];
+  camera->GetPosition(from);
+  camera->GetFocalPoint(at);
+  for (int i = 0; i < 3; ++i)
+  {
+    from[i] += offset[i];
+    at[i] += offset[i];
+  }
+  camera->SetPosition(from);
+  camera->SetFocalPoint(at);
+  view.Renderer->ResetCameraClippingRange();
 }
 
 //------------------------------------------------------------------------------

@@ -9,6 +9,8 @@
 
 #include "vtkSmartPointer.h"
 
+#include <array>
+
 class vtkActor;
 class vtkPolyData;
 class vtkProperty;
@@ -52,7 +54,12 @@ void vtkSSAOAddStillLife(vtkSSAOTestView& view, double scale = 1.0);
 void vtkSSAOLookAtStillLife(vtkSSAOTestView& view, bool parallel, double scale = 1.0);
 
 /**
- * The same in perspective with radius .5, and V in place of the picture.
+ * Move the points of all actors themselves, in double, and the camera with them.
+ */
+void vtkSSAOMoveScene(vtkSSAOTestView& view, const std::array<double, 3>& offset);
+
+/**
+ * The still life in perspective with radius .5, and V in place of the picture.
  */
 void vtkSSAOShowOcclusionOfStillLife(vtkSSAOTestView& view);
 
