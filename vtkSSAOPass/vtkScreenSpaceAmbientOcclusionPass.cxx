@@ -640,7 +640,8 @@ bool vtkScreenSpaceAmbientOcclusionPass::PostponeInterpolation(const vtkSSAOView
 void vtkScreenSpaceAmbientOcclusionPass::InterpolateNow()
 {
   Pipeline& stages = *this->Stages;
-  if (stages.Unestimated > 1 && stages.Visibility && stages.Geometry)
+  const bool isThere = stages.Window && stages.Visibility && stages.Visibility->GetHandle();
+  if (stages.Unestimated > 1 && isThere)
   {
     stages.LastView->Window->MakeCurrent();
     stages.Visibility = stages.Denoise.Interpolate(*stages.LastView, this->DenoiseSettings(),

@@ -129,8 +129,13 @@ int TestDriverFailures(int, char*[])
       report, "interpolation shader", 0, [](AOPass* pass) { pass->SetNoiseSize(1); },
       breakShaders("coarseTexelSize"));
     Check(
-      report, "refinement shader", 0, [](AOPass* pass) { pass->SetQualityToAccurate(); },
-      breakShaders("define SSAO_REFINED"));
+      report, "interpolation shader of an output mode", 0,
+      [](AOPass* pass)
+      {
+        pass->SetNoiseSize(1);
+        pass->SetOutputModeToOcclusion();
+      },
+      breakShaders("coarseTexelSize"));
     Check(
       report, "Gaussian shader", 0, [](AOPass* pass) { pass->SetDenoiserToSeparableGaussian(); },
       breakShaders("uniform vec2 axis"));

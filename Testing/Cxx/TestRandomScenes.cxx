@@ -256,7 +256,7 @@ void SetParameters(AOPass* pass, Chance& chance, double scale)
   pass->SetIntensityScale(chance.In(0.0, 10.0));
   pass->SetIntensityShift(chance.In(-1.0, 1.0));
   pass->SetOutputMode(chance.Likely(0.5) ? 0 : chance.Of(5));
-  pass->SetRefinement(chance.Likely(0.5));
+  pass->SetLayerDownsampling(1 + chance.Of(4));
   pass->SetStageTiming(chance.Likely(0.1));
 }
 

@@ -223,7 +223,7 @@ int TestStableBadGeometry(int, char*[])
   vtkSSAOStability smallest(
     test, "The same, every pixel", "smallest V", vtkSSAOStability::AtLeast, 0.99);
   // Rounding decides from pixel to pixel which of the two is seen, and with which of them solids
-  // begin; a pixel that is refined is the mean of six sides of slices only.
+  // begin.
   vtkSSAOStability fighting(test, "Faces in one place wound both ways, every pixel", "smallest V",
     vtkSSAOStability::AtLeast, 0.95);
   for (const auto& scene : Scenes())

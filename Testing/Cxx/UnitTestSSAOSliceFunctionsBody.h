@@ -353,9 +353,9 @@ inline void TestSampleShare(vtkSSAOTestMonitor& test, const std::string& what)
   test.ExpectNear(ssaoSampleShare(Scalar(3), Scalar(6), Scalar(1.0e6)), 0.25, 0.001,
     what + "half of the samples lie within a quarter of the radius");
   // Otherwise samples would be taken twice.
-  test.ExpectAtLeast(
-    50.0 * (ssaoSampleShare(Scalar(1), Scalar(8), Scalar(50)) -
-             ssaoSampleShare(Scalar(0), Scalar(8), Scalar(50))),
+  test.ExpectAtLeast(50.0 *
+      (ssaoSampleShare(Scalar(1), Scalar(8), Scalar(50)) -
+        ssaoSampleShare(Scalar(0), Scalar(8), Scalar(50))),
     1.0, what + "pixels from the first sample to the second");
 }
 
