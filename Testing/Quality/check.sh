@@ -20,6 +20,7 @@ root=$(CDPATH='' cd -- "$(dirname -- "$0")/../.." && pwd)
 build=${SSAO_CHECK_DIR:-$root/build-check}
 pictures='Stages|Presets|Modulations|ParallelProjection|MultiSamples|EstimatorImages|DenoiserImages'
 reach='OutputModes|Delegates|EstimatorSwitching|OnlyWhatIsNeeded|AutomaticRadius|StableControls'
+reach="$reach|StableParallelDistance|StableArithmetic|HarmlessRendererFlags"
 memory='BadScenes|StableBadGeometry|Lifetime|Churn|DriverFailures|RandomScenes|HarmlessScreenshots'
 memory="$memory|HarmlessViewports|HarmlessWindows|HarmlessTranslucent|HarmlessPicking|HarmlessProps"
 tests=${SSAO_CHECK_TESTS:-"Cxx-(Test($pictures|$reach|$memory)\$|UnitTest(SSAO|Estimator))"}
