@@ -4,7 +4,9 @@
 #define DeferredLighting_Lighting_h
 
 #include <vtkVector.h>
+#if __has_include(<vtkVectorOperators.h>) // VTK 9.6 has what is in it in vtkVector.h
 #include <vtkVectorOperators.h>
+#endif
 
 namespace deferred
 {
