@@ -41,6 +41,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numeric>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -499,7 +500,8 @@ void vtkScreenSpaceAmbientOcclusionPass::FindVisibilityOfTile(const vtkSSAOView&
 {
   Pipeline& stages = *this->Stages;
   const vtkSSAOOcclusionSettings settings = vtkSSAOOcclusionSettings::Of(this);
-  vtkSSAOTileMargin margin(tile, stages.EffectiveRadius, settings.Downsampling * this->NoiseSize);
+  vtkSSAOTileMargin margin(tile, stages.EffectiveRadius,
+    std::lcm(settings.Downsampling * this->NoiseSize, settings.LayerDownsampling));
   vtkSSAOView& view = margin.GetView();
   const vtkRenderState* s = margin.GetState();
   stages.Capture->SetOccludableWeights(glm::vec3(0.0F));
@@ -917,7 +919,7 @@ void vtkScreenSpaceAmbientOcclusionPass::SetQualityToFast()
 //------------------------------------------------------------------------------
 void vtkScreenSpaceAmbientOcclusionPass::SetQualityToBalanced()
 {
-  this->SetQuality(LayeredBitmask, 1, 8, 2, 3);
+  this->SetQuality(LayeredBitmask, 1, 10, 2, 4);
 }
 
 //------------------------------------------------------------------------------

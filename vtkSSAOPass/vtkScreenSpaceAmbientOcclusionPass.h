@@ -117,8 +117,8 @@ public:
    * LayerDownsampling and denoiser together. Balanced is the default. Each control may be changed
    * afterwards. All have a noise tile of 4 x 4.
    * - Fast: ExactHorizon, 1 slice of 2 x 8 samples at one of 2 x 2 pixels, interpolated.
-   * - Balanced: LayeredBitmask, 5 layers at one of 3 x 3 pixels, 1 slice of 2 x 8 samples at one of
-   *   2 x 2 pixels, interpolated.
+   * - Balanced: LayeredBitmask, 5 layers at one of 4 x 4 pixels, 1 slice of 2 x 10 samples at one
+   *   of 2 x 2 pixels, interpolated.
    * - Accurate: LayeredBitmask, 5 layers at one of 2 x 2 pixels, 1 slice of 2 x 14 samples at every
    *   pixel.
    */
@@ -321,7 +321,7 @@ public:
   /**
    * LayeredBitmask: layers are looked for at one pixel of each square of N x N, or of Downsampling,
    * if that is larger. What lies behind the first surface needs to be known less finely than where
-   * visibility is estimated. Range [1, 4], default 3. A value out of range is refused with an
+   * visibility is estimated. Range [1, 4], default 4. A value out of range is refused with an
    * error.
    */
   void SetLayerDownsampling(int edge);
@@ -563,7 +563,7 @@ private:
   double Attenuation = 1.0;
   int NoiseSize = 4;
   int Downsampling = 1;
-  int LayerDownsampling = 3;
+  int LayerDownsampling = 4;
   double Bias = -1.0;
   int Denoiser = EdgeAware;
   int Modulation = AmbientAndDiffuse;

@@ -384,7 +384,7 @@ bool vtkSSAOReportView::Measure(const std::vector<vtkSSAOReportMethod>& methods,
     row.RatioToVTK32 = row.Cost / vtk32;
     row.RatioToVTK64 = row.Cost / vtk64;
     row.RatioToVTK256 = row.Cost / vtk256;
-    for (int stage = 0; stage < 4; ++stage)
+    for (int stage = 0; stage < OurPass::NumberOfStages; ++stage)
     {
       row.StageTimes[stage] = Quantile(trial.StageTimes[stage], 0.5);
     }

@@ -27,6 +27,7 @@ void SetMany(vtkScreenSpaceAmbientOcclusionPass* pass)
 {
   pass->SetEstimatorToLayeredBitmask();
   pass->SetDownsampling(1);
+  pass->SetLayerDownsampling(1);
   pass->SetDirections(16);
   pass->SetSteps(24);
 }
@@ -315,6 +316,7 @@ void TestLayers(vtkSSAOTestMonitor& test)
   vtkSSAOLookAtStillLife(view, false);
   view.Pass->SetRadius(0.5);
   view.Pass->SetDownsampling(1);
+  view.Pass->SetLayerDownsampling(1);
   std::vector<double> bytes;
   std::vector<vtkSSAOTestImage> images;
   for (int layers : { 1, 2, 5, 6, 9, 5, 1 })
@@ -349,6 +351,7 @@ void TestMultiSampled(vtkSSAOTestMonitor& test)
     vtkSSAOLookAtStillLife(view, false);
     view.Pass->SetRadius(0.5);
     view.Pass->SetDownsampling(1);
+    view.Pass->SetLayerDownsampling(1);
     view.Visibility();
     vtkNew<vtkImageData> image;
     test.Expect(view.Pass->GetSolids(image), "solids with " + std::to_string(samples) + " samples");
@@ -392,6 +395,7 @@ void TestAgainstHorizon(vtkSSAOTestMonitor& test)
     view.Pass->SetDirections(16);
     view.Pass->SetSteps(16);
     view.Pass->SetDownsampling(1);
+    view.Pass->SetLayerDownsampling(1);
     view.Pass->SetNoiseSize(4);
     const vtkSSAOTestImage layered = view.Visibility();
     view.Pass->SetEstimatorToExactHorizon();

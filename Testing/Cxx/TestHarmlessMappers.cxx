@@ -331,8 +331,8 @@ int TestHarmlessMappers(int, char*[])
     CheckHarmless(
       report, std::string("coincident topology, ") + ways[way], AddCoincident, surfaces);
   }
-  // It is the setting of all mappers. With polygon offset, VTK 9.6 draws lines as tubes at depths of
-  // chance: their shader reads gl_FragDepth before it writes it.
+  // It is the setting of all mappers. With polygon offset, VTK 9.6 draws lines as tubes at depths
+  // of chance: their shader reads gl_FragDepth before it writes it.
   vtkMapper::SetResolveCoincidentTopologyToDefault();
   CheckHarmless(report, "clipping planes", AddClipped, surfaces);
   CheckHarmless(report, "shader replacements", AddReplacements, surfaces);

@@ -85,13 +85,18 @@ int TestRotationTile(int, char*[])
       const double before = PatternAmplitude(noisy, left, bottom, size, period);
       // About half of the smallest, so that there is something to take away.
       test.ExpectAtLeast(before, 0.004, what + "pattern without a denoiser");
-      // Pixels are averaged as their slices are, by weight, so the mean is that of many slices.
       const int directions = view.Pass->GetDirections();
-      view.Pass->SetDirections(64);
-      const vtkSSAOTestImage many = view.Visibility();
-      view.Pass->SetDirections(directions);
+      const int layers = view.Pass->GetLayerDownsampling();
       for (int denoiser : { 1, 4 })
       {
+        // Where every pixel is estimated, coarser layers would meet each rotation of the tile at
+        // one place of theirs.
+        view.Pass->SetLayerDownsampling(denoiser == 1 ? 1 : layers);
+        // Pixels are averaged as their slices are, by weight, so the mean is that of many slices.
+        view.Pass->SetDenoiserToNone();
+        view.Pass->SetDirections(64);
+        const vtkSSAOTestImage many = view.Visibility();
+        view.Pass->SetDirections(directions);
         view.Pass->SetDenoiser(denoiser);
         const std::string name = what + (denoiser == 1 ? "Box" : "EdgeAware");
         const vtkSSAOTestImage v = view.Visibility();

@@ -48,11 +48,12 @@ Images Render(vtkSSAOTestMonitor& test, double scale, bool parallel, double radi
 void Compare(
   vtkSSAOTestMonitor& test, const char* name, bool impostors, const std::vector<double>& scales)
 {
-  // At the rim of a sphere rounding decides whether a pixel shows it.
+  // At the rim of a sphere rounding decides whether a pixel shows it, and up to a noise tile of its
+  // neighbours notices, 10 x 10 pixels or 0.7 % of the picture.
   vtkSSAOStability row(test, name,
     impostors ? "% of the pixels whose V differs by more than 2/255 from scale 1"
               : "largest difference of V from scale 1 in 1/255",
-    vtkSSAOStability::AtMost, impostors ? 0.1 : 2.0);
+    vtkSSAOStability::AtMost, impostors ? 1.0 : 2.0);
   const auto difference = [impostors](const vtkSSAOTestImage& a, const vtkSSAOTestImage& b)
   {
     return impostors ? 100.0 * vtkSSAOShareBeyond(a, b, 2.0 / 255.0)

@@ -64,9 +64,9 @@ std::vector<Parameter> Parameters()
     PARAMETER(Layers, 5.0, true, { 1, 2, 5, 9 }, { 0, -1, 10, 2147483647 }),
     PARAMETER(Thickness, 0.0, false, { 0.0, 1.0e-30, 0.5, 1.0e30 }, with({ -1.0, -1.0e-30 })),
     PARAMETER(Downsampling, 2.0, true, { 1, 2, 4 }, { 0, -1, 5, 2147483647 }),
-    PARAMETER(LayerDownsampling, 3.0, true, { 1, 2, 4 }, { 0, -1, 5, 2147483647 }),
+    PARAMETER(LayerDownsampling, 4.0, true, { 1, 2, 4 }, { 0, -1, 5, 2147483647 }),
     PARAMETER(Directions, 1.0, true, { 1, 7, 64 }, { 0, -1, 65, 2147483647 }),
-    PARAMETER(Steps, 8.0, true, { 1, 7, 64 }, { 0, -1, 65, 2147483647 }),
+    PARAMETER(Steps, 10.0, true, { 1, 7, 64 }, { 0, -1, 65, 2147483647 }),
     PARAMETER(AngleBias, 30.0, false, { 0.0, 45.0, 89.0 }, with({ -0.1, 89.5, 90.0 })),
     PARAMETER(HalfRule, 1.0, true, { 0, 1 }, {}),
     PARAMETER(RangeCheck, 1.0, true, { 0, 1 }, {}),
@@ -137,7 +137,7 @@ void TestOthers(vtkSSAOTestMonitor& test)
 
   // Estimator, slices, samples to a side, noise, downsampling, that of layers.
   const int wanted[][6] = { { Pass::ExactHorizon, 1, 8, 4, 2, 2 },
-    { Pass::LayeredBitmask, 1, 8, 4, 2, 3 }, { Pass::LayeredBitmask, 1, 14, 4, 1, 2 } };
+    { Pass::LayeredBitmask, 1, 10, 4, 2, 4 }, { Pass::LayeredBitmask, 1, 14, 4, 1, 2 } };
   const std::function<void()> presets[] = { [&] { pass->SetQualityToFast(); },
     [&] { pass->SetQualityToBalanced(); }, [&] { pass->SetQualityToAccurate(); } };
   for (int preset = 0; preset < 3; ++preset)
@@ -146,7 +146,7 @@ void TestOthers(vtkSSAOTestMonitor& test)
     pass->SetDenoiserToNone();
     pass->SetLayers(9);
     pass->SetThickness(0.25);
-    pass->SetLayerDownsampling(4);
+    pass->SetLayerDownsampling(3);
     presets[preset]();
     test.ExpectEqual(pass->GetEstimator(), wanted[preset][0], "estimator of a preset");
     test.ExpectEqual(pass->GetDirections(), wanted[preset][1], "directions of a preset");
@@ -216,7 +216,7 @@ void TestPrintSelf(vtkSSAOTestMonitor& test)
   pass->SetLayers(7);
   pass->SetThickness(0.1875);
   pass->SetDownsampling(3);
-  pass->SetLayerDownsampling(4);
+  pass->SetLayerDownsampling(3);
   pass->SetNoiseSize(9);
   pass->SetIntensity(1.25);
   pass->SetPower(3.125);
@@ -231,7 +231,7 @@ void TestPrintSelf(vtkSSAOTestMonitor& test)
     { "Directions", "11" }, { "Steps", "13" }, { "AngleBias", "12.5" }, { "HalfRule", "off" },
     { "RangeCheck", "off" }, { "MinimumDifference", "0.03125" }, { "Falloff", "2" },
     { "Attenuation", "1.75" }, { "NoiseSize", "9" }, { "Layers", "7" }, { "Thickness", "0.1875" },
-    { "Downsampling", "3" }, { "LayerDownsampling", "4" }, { "Bias", "0.0625" }, { "Denoiser", "" },
+    { "Downsampling", "3" }, { "LayerDownsampling", "3" }, { "Bias", "0.0625" }, { "Denoiser", "" },
     { "Modulation", "" }, { "Intensity", "1.25" }, { "Power", "3.125" },
     { "IntensityScale", "2.375" }, { "IntensityShift", "-0.4375" }, { "OutputMode", "" },
     { "DepthFormat", "42" }, { "VolumeOpacityThreshold", "0.8125" }, { "StageTiming", "" } };

@@ -584,7 +584,7 @@ inline void TestFetchBudgets(vtkSSAOTestMonitor& test, const std::string& what)
   preset->SetQualityToFast();
   test.ExpectEqual(1 + CountFetches<ExactHorizon>(preset), 18, what + "fetches of Fast");
   preset->SetQualityToBalanced();
-  test.ExpectEqual(1 + CountFetches<Estimator>(preset), 35, what + "fetches of Balanced");
+  test.ExpectEqual(1 + CountFetches<Estimator>(preset), 43, what + "fetches of Balanced");
   preset->SetQualityToAccurate();
   test.ExpectEqual(1 + CountFetches<Estimator>(preset), 59, what + "fetches of Accurate");
 }

@@ -272,7 +272,9 @@ std::vector<double> vtkSSAOTwin::Visibility(
   uniforms.solidsWidth = this->SolidsWidth;
   uniforms.solidsHeight = this->SolidsHeight;
   // As vtkSSAOView::Coarse: a texel is the first pixel of its square.
-  const double edge = std::max(1, settings.LayerDownsampling);
+  // With one layer nothing is drawn once more, and no resolution reduced.
+  const bool reduced = this->SolidsWidth < this->Width || this->SolidsHeight < this->Height;
+  const double edge = reduced ? settings.LayerDownsampling : 1;
   uniforms.solidsPlace = glm::dvec4(edge, edge, 0.5 - 0.5 * edge, 0.5 - 0.5 * edge);
   uniforms.noiseTile = settings.NoiseSize;
   uniforms.depthScale = 1.0 + disturbance.Depth;

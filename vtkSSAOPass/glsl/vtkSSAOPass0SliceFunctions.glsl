@@ -257,7 +257,9 @@ struct SsaoStretches
 SsaoStretches ssaoStretchesSeen(vec4 solids, vec4 more, float facing, float sheet)
 {
   SsaoStretches seen;
-  bool back = facing * solids.x < float(0.0);
+  // At a silhouette front and back meet and look like a face that is there twice: it has no inside.
+  bool paper = solids.x > float(0.0) && solids.y < float(1.00002) * solids.x;
+  bool back = facing * solids.x < float(0.0) && !paper;
   float front = abs(solids.x);
   bool second = front > float(0.0) && solids.y < float(1.0e29);
   bool third = solids.z > float(0.0) && solids.w < float(1.0e29);

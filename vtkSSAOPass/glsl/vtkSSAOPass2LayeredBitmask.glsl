@@ -154,9 +154,14 @@ float ssaoVisibility(vec2 pixel, vec4 center)
   float footprint = solidsPlace.x * length(vec2(pixelToRay.x, pixelToRay.z)) *
     (perspective * center.x + (float(1.0) - perspective));
   // Of a face that is there twice the solids know which side counts; where they were looked for at
-  // another pixel they may tell of another surface.
-  float own = ssaoSolidsAt(ssaoSolidsTexelOf(pixel)).x;
-  bool isOwn = abs(abs(own) - center.x) < footprint;
+  // another pixel they may tell of another surface than the one whose facet the pixel shows.
+  vec2 ownTexel = ssaoSolidsTexelOf(pixel);
+  float own = ssaoSolidsAt(ownTexel).x;
+  SsaoRay ownRay = ssaoRayOf(ssaoTransform2(pixelToRay,
+      ownTexel * vec2(solidsPlace.x, solidsPlace.y) + vec2(solidsPlace.z, solidsPlace.w) - pixel),
+    center.x, centerRay, facet, viewer, perspective);
+  float onFacet = center.x - ownRay.facet.x / min(ownRay.facet.y, float(-0.000001));
+  bool isOwn = abs(abs(own) - onFacet) < float(2.0) * footprint;
   float facing = isOwn ? (own < float(0.0) ? float(-1.0) : float(1.0)) : ssaoUnpackFacing(center.z);
   float visible = float(0.0);
   float open = float(0.0);
