@@ -6,6 +6,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
+#include "vtkPixelBufferObject.h"
 #include "vtkSSAOOpenGL.h"
 #include "vtkSSAOPassFullScreenVS.h"
 #include "vtkSSAOView.h"
@@ -186,4 +187,35 @@ void vtkSSAOFullScreenStage::Release(vtkSmartPointer<vtkTextureObject>& texture,
     texture->ReleaseGraphicsResources(window);
     texture = nullptr;
   }
+}
+
+//------------------------------------------------------------------------------
+std::vector<float> vtkSSAOFullScreenStage::Download(
+  vtkTextureObject* texture, const glm::ivec4& rectangle)
+{
+  std::vector<float> values;
+  if (!texture || !texture->GetHandle())
+  {
+    return values;
+  }
+  texture->GetContext()->MakeCurrent();
+  const int components = texture->GetComponents();
+  const int width = static_cast<int>(texture->GetWidth());
+  const int height = static_cast<int>(texture->GetHeight());
+  std::vector<float> whole(std::size_t(width) * height * components);
+  unsigned int size[2] = { texture->GetWidth(), texture->GetHeight() };
+  vtkIdType increments[2] = { 0, 0 };
+  vtkSmartPointer<vtkPixelBufferObject> buffer;
+  buffer.TakeReference(texture->Download());
+  if (!buffer->Download2D(VTK_FLOAT, whole.data(), size, components, increments))
+  {
+    return values;
+  }
+  for (int row = 0; row < rectangle.w; ++row)
+  {
+    const auto first =
+      whole.begin() + (std::ptrdiff_t(rectangle.y + row) * width + rectangle.x) * components;
+    values.insert(values.end(), first, first + std::ptrdiff_t(rectangle.z) * components);
+  }
+  return values;
 }

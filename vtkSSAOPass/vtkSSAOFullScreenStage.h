@@ -13,6 +13,8 @@
 #include "vtkNew.h"          // For members
 #include "vtkSmartPointer.h" // For members
 
+#include <glm/vec4.hpp>
+
 #include <map>
 #include <memory>
 #include <string>
@@ -69,6 +71,12 @@ public:
    */
   static vtkSmartPointer<vtkTextureObject> NewTexture(
     vtkOpenGLRenderWindow* window, int width, int height, int components, int samples);
+
+  /**
+   * The part of a texture that lies in a rectangle (x, y, width, height), row by row, all
+   * components of a pixel together; empty without a texture, or if its context is gone.
+   */
+  static std::vector<float> Download(vtkTextureObject* texture, const glm::ivec4& rectangle);
 
 protected:
   /**

@@ -8,13 +8,17 @@
 #include "vtkSSAOOpenGL.h"
 #include "vtkSSAOPass0Functions.h"
 #include "vtkSSAOPass0SliceFunctions.h"
+#include "vtkSSAOPass1GapsFS.h"
 #include "vtkSSAOPass1SolidsFS.h"
+#include "vtkSSAOPassViewFS.h"
 #include "vtkSSAOScopedBlendEquation.h"
 #include "vtkSSAOView.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -42,6 +46,7 @@ void vtkSSAOLayerStage::ReleaseGraphicsResources(vtkWindow* window)
   {
     Release(layers, window);
   }
+  Release(this->Gaps, window);
   Release(this->Solids, window);
   Release(this->MoreSolids, window);
 }
@@ -49,7 +54,7 @@ void vtkSSAOLayerStage::ReleaseGraphicsResources(vtkWindow* window)
 //------------------------------------------------------------------------------
 unsigned long vtkSSAOLayerStage::GetTextureMemory() const
 {
-  unsigned long bytes = GetBytes(this->Solids) + GetBytes(this->MoreSolids);
+  unsigned long bytes = GetBytes(this->Gaps) + GetBytes(this->Solids) + GetBytes(this->MoreSolids);
   for (const auto& layers : this->Layers)
   {
     bytes += GetBytes(layers);
@@ -61,13 +66,22 @@ unsigned long vtkSSAOLayerStage::GetTextureMemory() const
 bool vtkSSAOLayerStage::Render(const vtkRenderState* s, const vtkSSAOView& scene,
   vtkSSAOCapturePass* capture, const vtkSSAOLayerSettings& settings, vtkTextureObject* geometry)
 {
-  const int rounds = (settings.Layers + 2) / 4;
+  int rounds = (settings.Layers + 2) / 4;
   // Only what is estimated needs layers as well; but the size of point sprites is a number of
   // pixels, and without layers nothing would tell the depth at the place of a larger one.
   const bool reduces = rounds > 0 && !capture->DrawsPointSprites();
   const vtkSSAOView view = scene.Coarse(reduces ? settings.Downsampling : 1);
   this->PixelOfTexel = view.PixelOfTexel;
   this->Viewport = view.Viewport;
+  // Sprites are not seen at other pixels' places, and of several samples per pixel one is known.
+  if (!reduces || scene.Samples > 0 || settings.SheetsOnly)
+  {
+    this->Gaps = nullptr;
+  }
+  else if (!this->HasGaps(scene, view, geometry))
+  {
+    rounds = 0;
+  }
   vtkTextureObject* before = geometry;
   for (this->Rounds = 0; this->Rounds < rounds; ++this->Rounds)
   {
@@ -82,6 +96,30 @@ bool vtkSSAOLayerStage::Render(const vtkRenderState* s, const vtkSSAOView& scene
     this->Layers[i] = nullptr;
   }
   return this->FindSolids(view, settings, geometry);
+}
+
+//------------------------------------------------------------------------------
+bool vtkSSAOLayerStage::HasGaps(
+  const vtkSSAOView& scene, const vtkSSAOView& view, vtkTextureObject* geometry)
+{
+  std::string source = vtkSSAOPass1GapsFS;
+  vtkShaderProgram::Substitute(source, "//SSAO::Functions", vtkSSAOPass0Functions);
+  vtkShaderProgram::Substitute(source, "//SSAO::View", vtkSSAOPassViewFS);
+  vtkShaderProgram* program = this->UseProgram(view.Window, source);
+  if (!program)
+  {
+    return true;
+  }
+  geometry->Activate();
+  scene.SetUniforms(program);
+  const glm::vec4 layerPlace(view.PixelOfTexel);
+  program->SetUniform4f("layerPlace", &layerPlace[0]);
+  program->SetUniformi("geometry", geometry->GetTextureUnit());
+  const bool drawn = this->DrawToTexture(view, 1, this->Gaps);
+  geometry->Deactivate();
+  const std::vector<float> gaps = Download(drawn ? this->Gaps.Get() : nullptr, view.Drawn);
+  return gaps.empty() ||
+    std::any_of(gaps.begin(), gaps.end(), [](float gap) { return gap > 0.5F; });
 }
 
 //------------------------------------------------------------------------------

@@ -42,7 +42,8 @@ public:
   ~vtkSSAOLayerStage() override;
 
   /**
-   * Draws the layers behind the geometry that was captured, and the solids. False on failure.
+   * Draws the layers behind the geometry that was captured, unless they cannot matter, and the
+   * solids. False on failure.
    */
   bool Render(const vtkRenderState* s, const vtkSSAOView& view, vtkSSAOCapturePass* capture,
     const vtkSSAOLayerSettings& settings, vtkTextureObject* geometry);
@@ -73,6 +74,12 @@ public:
   unsigned long GetTextureMemory() const override;
 
 private:
+  /**
+   * Whether a surface ends before another one, so that layers may matter. True if that is not
+   * known.
+   */
+  bool HasGaps(const vtkSSAOView& scene, const vtkSSAOView& view, vtkTextureObject* geometry);
+
   bool DrawRound(const vtkRenderState* s, const vtkSSAOView& view, vtkSSAOCapturePass* capture,
     const vtkSSAOLayerSettings& settings, int round, vtkTextureObject* before);
   bool FindSolids(
@@ -80,6 +87,7 @@ private:
 
   static constexpr int MostRounds = (MostLayers - 1) / 4;
   std::array<vtkSmartPointer<vtkTextureObject>, MostRounds> Layers;
+  vtkSmartPointer<vtkTextureObject> Gaps; // 1 where a surface ends before another one
   vtkSmartPointer<vtkTextureObject> Solids;
   vtkSmartPointer<vtkTextureObject> MoreSolids;
   vtkNew<vtkOpenGLFramebufferObject> LayerFramebuffer;

@@ -12,7 +12,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkOpaquePass.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkPixelBufferObject.h"
 #include "vtkPointData.h"
 #include "vtkPropCollection.h"
 #include "vtkRenderState.h"
@@ -160,38 +159,6 @@ double DiagonalOfOpaqueProps(vtkRenderer* renderer)
     }
   }
   return box.IsValid() ? box.GetDiagonalLength() : 0.0;
-}
-
-//------------------------------------------------------------------------------
-// The part of a texture that lies in the viewport, row by row, all components of a pixel together;
-// empty without a texture, or if its context is gone.
-std::vector<float> Download(vtkTextureObject* texture, const glm::ivec4& viewport)
-{
-  std::vector<float> values;
-  if (!texture || !texture->GetHandle())
-  {
-    return values;
-  }
-  texture->GetContext()->MakeCurrent();
-  const int components = texture->GetComponents();
-  const int width = static_cast<int>(texture->GetWidth());
-  const int height = static_cast<int>(texture->GetHeight());
-  std::vector<float> whole(std::size_t(width) * height * components);
-  unsigned int size[2] = { texture->GetWidth(), texture->GetHeight() };
-  vtkIdType increments[2] = { 0, 0 };
-  vtkSmartPointer<vtkPixelBufferObject> buffer;
-  buffer.TakeReference(texture->Download());
-  if (!buffer->Download2D(VTK_FLOAT, whole.data(), size, components, increments))
-  {
-    return values;
-  }
-  for (int row = 0; row < viewport.w; ++row)
-  {
-    const auto first =
-      whole.begin() + (std::ptrdiff_t(viewport.y + row) * width + viewport.x) * components;
-    values.insert(values.end(), first, first + std::ptrdiff_t(viewport.z) * components);
-  }
-  return values;
 }
 
 //------------------------------------------------------------------------------
@@ -776,13 +743,15 @@ bool vtkScreenSpaceAmbientOcclusionPass::GetVisibility(vtkImageData* image)
 {
   this->InterpolateNow();
   const glm::ivec4 viewport = this->Stages->Viewport;
-  const std::vector<float> values = Download(this->Stages->Visibility, viewport);
+  const std::vector<float> values =
+    vtkSSAOFullScreenStage::Download(this->Stages->Visibility, viewport);
   if (values.empty())
   {
     return false;
   }
   // Where there is no surface nothing may have been drawn.
-  const std::vector<float> geometry = Download(this->Stages->Geometry, viewport);
+  const std::vector<float> geometry =
+    vtkSSAOFullScreenStage::Download(this->Stages->Geometry, viewport);
   float* pixel = NewPixels(image, viewport, 1, "Visibility");
   const std::size_t components = this->Stages->Visibility->GetComponents();
   for (std::size_t i = 0; i < geometry.size() / 4; ++i)
@@ -797,7 +766,8 @@ bool vtkScreenSpaceAmbientOcclusionPass::GetGeometry(vtkImageData* image)
 {
   const glm::ivec4 viewport = this->Stages->Viewport;
   const double origin = this->Stages->DepthOrigin;
-  const std::vector<float> values = Download(this->Stages->Geometry, viewport);
+  const std::vector<float> values =
+    vtkSSAOFullScreenStage::Download(this->Stages->Geometry, viewport);
   if (values.empty())
   {
     return false;
@@ -821,10 +791,10 @@ bool vtkScreenSpaceAmbientOcclusionPass::GetSolids(vtkImageData* image)
 {
   const Pipeline& stages = *this->Stages;
   const glm::ivec4 viewport = stages.Layers.GetViewport();
-  const std::vector<float> first =
-    Download(stages.HasSolids ? stages.Layers.GetSolids() : nullptr, viewport);
-  const std::vector<float> second =
-    Download(stages.HasSolids ? stages.Layers.GetMoreSolids() : nullptr, viewport);
+  const std::vector<float> first = vtkSSAOFullScreenStage::Download(
+    stages.HasSolids ? stages.Layers.GetSolids() : nullptr, viewport);
+  const std::vector<float> second = vtkSSAOFullScreenStage::Download(
+    stages.HasSolids ? stages.Layers.GetMoreSolids() : nullptr, viewport);
   if (first.empty() || second.empty())
   {
     return false;

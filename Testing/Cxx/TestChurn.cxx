@@ -147,7 +147,7 @@ void CheckSizes(Report& report, int multiSamples)
   vtkSSAOAddFloorAndSpheres(stage.Renderer, 3, 0.5);
   vtkNew<AOPass> pass;
   const Picture first = stage.Draw(pass);
-  stage.Window->SetSize(50, 20);
+  stage.Window->SetSize(90, 70); // here silhouettes show, so that layers are drawn
   stage.Draw(pass);
   stage.Window->SetSize(40, 30);
   stage.Draw(pass);

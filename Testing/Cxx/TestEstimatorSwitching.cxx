@@ -63,9 +63,9 @@ int TestEstimatorSwitching(int, char*[])
   Set(view.Pass, 3);
   test.Expect(view.Visibility() == before, "the picture is the one before");
   test.ExpectEqual(view.Pass->GetNumberOfProgramBuilds(), builds, "programs built");
-  // Nine estimators, four denoisers, the interpolation, solids of 5 and of 9 layers, and the
+  // Nine estimators, four denoisers, the interpolation, gaps, solids of 5 and of 9 layers, and the
   // modulation of the light.
-  test.ExpectAtMost(builds, 17, "of these before");
+  test.ExpectAtMost(builds, 18, "of these before");
   test.ExpectEqual(static_cast<double>(view.Pass->GetTextureMemory()), static_cast<double>(bytes),
     "texture bytes");
   for (int i = 0; i < 5; ++i)

@@ -22,6 +22,8 @@
 #include "vtkSSAOTestView.h"
 #include "vtkSphereSource.h"
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 
 namespace
@@ -130,6 +132,46 @@ void TestEmptyScreen(vtkSSAOTestMonitor& test, int preset)
 }
 
 //------------------------------------------------------------------------------
+// Where one surface goes on over the whole picture, layers are not drawn; with them, because of a
+// gap somewhere else, V is the same.
+void TestGaps(vtkSSAOTestMonitor& test, int preset, bool parallel)
+{
+  const std::string what = std::string(vtkSSAOTestView::GetPresetName(preset)) +
+    (parallel ? ", parallel: " : ", perspective: ");
+  vtkSSAOTestView view(test, 200, 150);
+  vtkSSAOAddCorner(view);
+  vtkNew<vtkSphereSource> hill; // less steep than the view on it
+  hill->SetRadius(3.0);
+  hill->SetCenter(-2.0, -2.4, 2.0);
+  hill->SetThetaResolution(120);
+  hill->SetPhiResolution(60);
+  view.Add(hill);
+  vtkSSAOLookAtCorner(view, parallel);
+  view.SetPreset(preset);
+  view.Pass->SetRadius(1.0);
+  const vtkSSAOTestImage without = view.Visibility();
+  test.ExpectAtMost(view.MeasureSurfaces(without).Minimum, 0.8, what + "smallest V");
+  test.ExpectEqual(
+    view.Pass->GetNumberOfLayerDrawings(), 0, what + "drawings of layers without a gap");
+
+  view.Add(vtkSSAOQuad({ 3.5, 1.0, 3.0 }, { 1, 0, 0 }, { 0, 0, -1 }));
+  const vtkSSAOTestImage with = view.Visibility();
+  test.ExpectEqual(view.Pass->GetNumberOfLayerDrawings(), preset == 0 ? 0 : 1,
+    what + "drawings of layers with a gap");
+  double largest = 0.0;
+  for (int y = 0; y < 150; ++y)
+  {
+    for (int x = 0; x < 120; ++x) // the square and its radius are to the right
+    {
+      largest = std::max(largest, std::abs(double(with.At(x, y)) - double(without.At(x, y))));
+    }
+  }
+  // Layers end behind what they enter, and what is seen only begins there: an arc that ends a
+  // sector farther on, 1/60 of V in one of 16 pixels.
+  test.ExpectAtMost(255.0 * largest, 1.0, what + "largest difference of V, in 1/255");
+}
+
+//------------------------------------------------------------------------------
 // A highlight too weak to be seen: what may be occluded is no more the whole colour, but looks
 // alike.
 void TestCapturedLight(vtkSSAOTestMonitor& test)
@@ -169,6 +211,8 @@ int TestOnlyWhatIsNeeded(int, char*[])
   {
     TestUnchangedFrames(test, preset);
     TestEmptyScreen(test, preset);
+    TestGaps(test, preset, false);
+    TestGaps(test, preset, true);
   }
 
   TestCapturedLight(test);

@@ -213,12 +213,19 @@ SsaoPlane ssaoPlaneThrough(vec3 facet, vec2 pixel, float depth, vec4 pixelToRay,
   return plane;
 }
 
+// Distance of what a neighbouring pixel sees from a plane, in half footprints of the plane's pixel.
+// depth: the neighbour's; moved: pixels to it.
+float ssaoHalfFootprintsOffPlane(SsaoPlane plane, float depth, vec2 moved)
+{
+  float scale = plane.perspective * depth + (float(1.0) - plane.perspective);
+  return (depth - plane.depth) * plane.ofDepth + dot(plane.ofPlace, moved) * scale;
+}
+
 // Weight of a neighbour in the edge-aware mean: 1 on the plane, 0 from a slope of one half off it; a tenth of a
 // pixel off does not count as an edge. depth: the neighbour's, 0 for none; moved: pixels to it.
 float ssaoPlaneWeight(SsaoPlane plane, float depth, vec2 moved)
 {
-  float scale = plane.perspective * depth + (float(1.0) - plane.perspective);
-  float away = (depth - plane.depth) * plane.ofDepth + dot(plane.ofPlace, moved) * scale;
+  float away = ssaoHalfFootprintsOffPlane(plane, depth, moved);
   float steepness =
     max(abs(away) - float(0.2), float(0.0)) * inversesqrt(max(dot(moved, moved), float(1.0)));
   return depth > float(0.0) ? clamp(float(1.0) - steepness, float(0.0), float(1.0)) : float(0.0);
