@@ -13,6 +13,9 @@
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
+#include <glm/common.hpp>
+#include <glm/vec2.hpp>
+
 #include <algorithm>
 
 //------------------------------------------------------------------------------
@@ -211,11 +214,13 @@ std::vector<float> vtkSSAOFullScreenStage::Download(
   {
     return values;
   }
-  for (int row = 0; row < rectangle.w; ++row)
+  const glm::ivec2 first = glm::max(glm::ivec2(rectangle), glm::ivec2(0));
+  const glm::ivec2 end = glm::min(
+    glm::ivec2(rectangle) + glm::ivec2(rectangle.z, rectangle.w), glm::ivec2(width, height));
+  for (int row = first.y; row < end.y && first.x < end.x; ++row)
   {
-    const auto first =
-      whole.begin() + (std::ptrdiff_t(rectangle.y + row) * width + rectangle.x) * components;
-    values.insert(values.end(), first, first + std::ptrdiff_t(rectangle.z) * components);
+    const auto begin = whole.begin() + (std::ptrdiff_t(row) * width + first.x) * components;
+    values.insert(values.end(), begin, begin + std::ptrdiff_t(end.x - first.x) * components);
   }
   return values;
 }

@@ -74,7 +74,8 @@ public:
 
   /**
    * The part of a texture that lies in a rectangle (x, y, width, height), row by row, all
-   * components of a pixel together; empty without a texture, or if its context is gone.
+   * components of a pixel together; empty without a texture, if its context is gone, or if the
+   * rectangle lies outside.
    */
   static std::vector<float> Download(vtkTextureObject* texture, const glm::ivec4& rectangle);
 

@@ -78,9 +78,14 @@ bool vtkSSAOLayerStage::Render(const vtkRenderState* s, const vtkSSAOView& scene
   {
     this->Gaps = nullptr;
   }
-  else if (!this->HasGaps(scene, view, geometry))
+  else
   {
-    rounds = 0;
+    bool gaps = true;
+    if (!this->FindGaps(scene, view, geometry, gaps))
+    {
+      return false;
+    }
+    rounds = gaps ? rounds : 0;
   }
   vtkTextureObject* before = geometry;
   for (this->Rounds = 0; this->Rounds < rounds; ++this->Rounds)
@@ -99,8 +104,8 @@ bool vtkSSAOLayerStage::Render(const vtkRenderState* s, const vtkSSAOView& scene
 }
 
 //------------------------------------------------------------------------------
-bool vtkSSAOLayerStage::HasGaps(
-  const vtkSSAOView& scene, const vtkSSAOView& view, vtkTextureObject* geometry)
+bool vtkSSAOLayerStage::FindGaps(
+  const vtkSSAOView& scene, const vtkSSAOView& view, vtkTextureObject* geometry, bool& gaps)
 {
   std::string source = vtkSSAOPass1GapsFS;
   vtkShaderProgram::Substitute(source, "//SSAO::Functions", vtkSSAOPass0Functions);
@@ -108,7 +113,7 @@ bool vtkSSAOLayerStage::HasGaps(
   vtkShaderProgram* program = this->UseProgram(view.Window, source);
   if (!program)
   {
-    return true;
+    return false;
   }
   geometry->Activate();
   scene.SetUniforms(program);
@@ -117,9 +122,11 @@ bool vtkSSAOLayerStage::HasGaps(
   program->SetUniformi("geometry", geometry->GetTextureUnit());
   const bool drawn = this->DrawToTexture(view, 1, this->Gaps);
   geometry->Deactivate();
-  const std::vector<float> gaps = Download(drawn ? this->Gaps.Get() : nullptr, view.Drawn);
-  return gaps.empty() ||
-    std::any_of(gaps.begin(), gaps.end(), [](float gap) { return gap > 0.5F; });
+  const std::vector<float> values = Download(drawn ? this->Gaps.Get() : nullptr, view.Drawn);
+  // Where that is not known there may be some.
+  gaps = values.empty() ||
+    std::any_of(values.begin(), values.end(), [](float value) { return value > 0.5F; });
+  return drawn;
 }
 
 //------------------------------------------------------------------------------

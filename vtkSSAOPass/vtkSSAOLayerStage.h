@@ -75,10 +75,10 @@ public:
 
 private:
   /**
-   * Whether a surface ends before another one, so that layers may matter. True if that is not
-   * known.
+   * Whether a surface ends before another one, so that layers may matter. False on failure.
    */
-  bool HasGaps(const vtkSSAOView& scene, const vtkSSAOView& view, vtkTextureObject* geometry);
+  bool FindGaps(
+    const vtkSSAOView& scene, const vtkSSAOView& view, vtkTextureObject* geometry, bool& gaps);
 
   bool DrawRound(const vtkRenderState* s, const vtkSSAOView& view, vtkSSAOCapturePass* capture,
     const vtkSSAOLayerSettings& settings, int round, vtkTextureObject* before);

@@ -41,7 +41,7 @@ mutations()
   m bias-times-10 "$stage" 's/SetUniformf("bias", /&10.0F * /' \
     'ten times the bias'
   m normals-flipped glsl/vtkSSAOPass1CaptureOutputFS.glsl \
-    's/ssaoPackNormal(normalize(ssaoNormal))/ssaoPackNormal(normalize(-ssaoNormal))/' \
+    's/ssaoPackNormal(ssaoNormal)/ssaoPackNormal(-ssaoNormal)/' \
     'captured normals point away'
 
   # the estimator
@@ -82,7 +82,7 @@ mutations()
     'rotations over half of the circle'
   m automatic-radius-doubled "$pass" 's/: 0\.1 \* DiagonalOfOpaqueProps/: 0.2 * DiagonalOfOpaqueProps/' \
     'a fifth of the diagonal'
-  m presets-exchanged "$pass" 's/SetQuality(ExactHorizon, 1, 8, 4, false)/SetQuality(LayeredBitmask, 4, 12, 3, true)/' \
+  m presets-exchanged "$pass" 's/SetQuality(ExactHorizon, 1, 8, 2, 2)/SetQuality(LayeredBitmask, 1, 14, 1, 2)/' \
     'Fast is Accurate'
 
   # projection
@@ -142,7 +142,7 @@ mutations()
   m loss-unnoticed vtkSSAOCapturePass.cxx \
     's/return this->Geometry \&\& !this->Geometry->GetHandle();/return false;/' \
     'nobody looks whether the context is another one'
-  m dead-textures-read "$pass" 's/if (!texture || !texture->GetHandle())/if (!texture)/' \
+  m dead-textures-read vtkSSAOFullScreenStage.cxx 's/if (!texture || !texture->GetHandle())/if (!texture)/' \
     'textures of a window that is gone are read'
   m memory-kept vtkSSAOCapturePass.cxx \
     's/^  this->NumberOfRenderedProps = 0;$/& static std::vector<double*> kept; kept.push_back(new double[8]);/' \
@@ -192,6 +192,10 @@ mutations()
   m background-captured vtkSSAOCapturePass.cxx \
     's/vtkglClearColor(0\.0F,/vtkglClearColor(5.0F * view.Renderer->GetBackground()[0],/' \
     'the background is a surface as far away as it is red'
+  m gaps-unseen glsl/vtkSSAOPass1GapsFS.glsl 's/off > 3\.0/off > 1.0e9/' \
+    'layers are drawn only where a surface shows both sides'
+  m silhouettes-are-sheets glsl/vtkSSAOPass0SliceFunctions.glsl 's/ \&\& !paper;/;/' \
+    'front and back that meet at a silhouette are a sheet'
   m sides-wound-twice glsl/vtkSSAOPass1SolidsFS.glsl 's/if (back < none \&\&/if (false \&\&/' \
     'a face wound both ways is not one sheet'
   m samples-beyond-border glsl/vtkSSAOPass2LayeredBitmask.glsl \
