@@ -117,7 +117,7 @@ std::vector<System> Systems()
     { "Hemisphere, edge-aware", "32 points", NewPass(Pass::Hemisphere, 32, Pass::EdgeAware) },
     { "Fast: ExactHorizon", "1 slice of 16, a quarter of the pixels",
       NewPreset(&Pass::SetQualityToFast) },
-    { "Balanced, the default: LayeredBitmask", "2 slices of 12, a quarter of the pixels",
+    { "Balanced, the default: LayeredBitmask", "1 slice of 20, a quarter of the pixels",
       NewPreset(&Pass::SetQualityToBalanced) },
   };
 }

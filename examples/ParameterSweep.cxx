@@ -140,7 +140,7 @@ std::vector<Row> SampleRows(double diagonal)
       { "edge-aware", denoiser(Pass::EdgeAware) } },
     Sweep("downsampling", ShowOcclusion, { 1, 2, 3, 4 },
       [](Pass* pass, double value) { pass->SetDownsampling(static_cast<int>(value)); }),
-    Sweep("layer downsampling, of every pixel", ShowOcclusion, { 1, 2, 3, 4 },
+    Sweep("layer downsampling", ShowOcclusion, { 1, 2, 3, 4 },
       [](Pass* pass, double value)
       {
         pass->SetDownsampling(1);
