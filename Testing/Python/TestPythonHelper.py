@@ -56,7 +56,7 @@ class TestPythonHelper(unittest.TestCase):
     def test_settings_change_the_pass_that_is_there(self):
         view = View()
         ssao = enable_ambient_occlusion(view, radius=0.25, quality="accurate")
-        self.assertEqual((ssao.GetRadius(), ssao.GetDirections(), ssao.GetSteps()), (0.25, 3, 14))
+        self.assertEqual((ssao.GetRadius(), ssao.GetDirections(), ssao.GetSteps()), (0.25, 1, 14))
         self.assertIs(enable_ambient_occlusion(view, quality="fast"), ssao)
         self.assertEqual((ssao.GetRadius(), ssao.GetDirections(), ssao.GetSteps()), (0.0, 1, 8))
         self.assertEqual(chain(view.renderer), [PASS.__name__])

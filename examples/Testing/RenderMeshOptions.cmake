@@ -74,7 +74,7 @@ expect_change(hemisphere --bias=0.5 --range-check=off)
 expect_change(reflected-hemisphere --minimum-difference=0.3 --attenuation=4 --falloff=null-square
   --falloff=inverse-square)
 expect_change(horizon-angle --directions=3 --steps=12 --angle-bias=10)
-expect_change(layered-bitmask --downsampling=1 --layers=1 --layer-downsampling=4)
+expect_change(layered-bitmask --downsampling=1 --layers=1 --layer-downsampling=1)
 
 render(off --intensity 0 mesh.obj)
 render(unoccluded --output unoccluded mesh.obj)
