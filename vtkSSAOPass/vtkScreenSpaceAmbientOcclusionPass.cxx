@@ -329,7 +329,8 @@ void vtkScreenSpaceAmbientOcclusionPass::FollowWindow(vtkWindow* window)
   // again.
   if ((stages.Window && stages.Window != window) || stages.Capture->HasLostContext())
   {
-    stages.ReleaseGraphicsResources(stages.Window);
+    // One that is gone has taken its resources along; VTK 9.6 asserts that there is a window.
+    stages.ReleaseGraphicsResources(stages.Window ? stages.Window.Get() : window);
   }
   stages.Window = window;
 }
@@ -743,9 +744,9 @@ bool vtkScreenSpaceAmbientOcclusionPass::GetVisibility(vtkImageData* image)
 {
   this->InterpolateNow();
   const glm::ivec4 viewport = this->Stages->Viewport;
-  const std::vector<float> values =
-    vtkSSAOFullScreenStage::Download(this->Stages->Visibility, viewport);
-  if (values.empty())
+  vtkTextureObject* visibility = this->Stages->Visibility;
+  const std::vector<float> values = vtkSSAOFullScreenStage::Download(visibility, viewport);
+  if (!visibility || values.empty())
   {
     return false;
   }
@@ -753,7 +754,7 @@ bool vtkScreenSpaceAmbientOcclusionPass::GetVisibility(vtkImageData* image)
   const std::vector<float> geometry =
     vtkSSAOFullScreenStage::Download(this->Stages->Geometry, viewport);
   float* pixel = NewPixels(image, viewport, 1, "Visibility");
-  const std::size_t components = this->Stages->Visibility->GetComponents();
+  const std::size_t components = visibility->GetComponents();
   for (std::size_t i = 0; i < geometry.size() / 4; ++i)
   {
     pixel[i] = geometry[4 * i] > 0.0F ? values[i * components] : 1.0F;

@@ -162,9 +162,10 @@ int TestDriverFailures(int, char*[])
         CompleteChecks = many;
         *checkStatus = BreakCheckStatus;
         stage.Draw(pass);
+        const int left = CompleteChecks;
+        stage.Draw(nullptr); // what VTK 9.6 looks at itself, afterwards
         *checkStatus = RealCheckStatus;
-        stage.Renderer->SetPass(nullptr);
-        return many - CompleteChecks;
+        return (many - left) - (left - CompleteChecks);
       }();
       report.ExpectAtLeast(framebuffers, 5, "framebuffers that the pass looks at");
       for (int complete = 0; complete < framebuffers; ++complete)
