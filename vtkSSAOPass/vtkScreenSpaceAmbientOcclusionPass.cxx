@@ -558,12 +558,11 @@ bool vtkScreenSpaceAmbientOcclusionPass::ComputeOcclusion(const vtkSSAOView& vie
 bool vtkScreenSpaceAmbientOcclusionPass::RemoveNoise(const vtkSSAOView& view)
 {
   Pipeline& stages = *this->Stages;
-  const int downsampling = vtkSSAOOcclusionSettings::Of(this).Downsampling;
-  if (this->Denoiser == None || (this->NoiseSize == 1 && downsampling == 1))
+  const vtkSSAODenoiseSettings settings = this->DenoiseSettings();
+  if (this->Denoiser == None || (this->NoiseSize == 1 && settings.Downsampling == 1))
   {
     return true;
   }
-  const vtkSSAODenoiseSettings settings = this->DenoiseSettings();
   if (this->PostponeInterpolation(view))
   {
     stages.Visibility =
@@ -580,12 +579,12 @@ bool vtkScreenSpaceAmbientOcclusionPass::RemoveNoise(const vtkSSAOView& view)
 }
 
 //------------------------------------------------------------------------------
-vtkSSAODenoiseSettings vtkScreenSpaceAmbientOcclusionPass::DenoiseSettings() const
+vtkSSAODenoiseSettings vtkScreenSpaceAmbientOcclusionPass::DenoiseSettings()
 {
   vtkSSAODenoiseSettings settings;
   settings.Denoiser = this->Denoiser;
   settings.NoiseSize = this->NoiseSize;
-  settings.Downsampling = this->Denoiser == EdgeAware ? this->Downsampling : 1;
+  settings.Downsampling = vtkSSAOOcclusionSettings::Of(this).Downsampling;
   settings.Radius = this->Stages->EffectiveRadius;
   return settings;
 }
@@ -614,8 +613,11 @@ void vtkScreenSpaceAmbientOcclusionPass::InterpolateNow()
   if (stages.Unestimated > 1 && isThere)
   {
     stages.LastView->Window->MakeCurrent();
-    stages.Visibility = stages.Denoise.Interpolate(*stages.LastView, this->DenoiseSettings(),
-                          stages.Geometry, stages.Visibility)
+    // The controls may have changed since.
+    vtkSSAODenoiseSettings settings = this->DenoiseSettings();
+    settings.Downsampling = stages.Unestimated;
+    stages.Visibility =
+      stages.Denoise.Interpolate(*stages.LastView, settings, stages.Geometry, stages.Visibility)
       ? stages.Denoise.GetOutput()
       : nullptr;
     stages.Unestimated = 1;

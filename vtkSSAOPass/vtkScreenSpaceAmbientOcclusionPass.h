@@ -590,7 +590,7 @@ private:
   bool FindLayers(const vtkRenderState* s, const vtkSSAOView& view);
   bool ComputeOcclusion(const vtkSSAOView& view);
   bool RemoveNoise(const vtkSSAOView& view);
-  vtkSSAODenoiseSettings DenoiseSettings() const;
+  vtkSSAODenoiseSettings DenoiseSettings();
   bool PostponeInterpolation(const vtkSSAOView& view);
   void InterpolateNow();
   bool ModulateLight(const vtkSSAOView& view);

@@ -69,6 +69,19 @@ void TestUnchangedFrames(vtkSSAOTestMonitor& test, int preset)
   test.ExpectEqual(vtkSSAOImageCompare::Difference(view.Picture(), picture, 0).Largest, 0,
     what + "largest difference of the picture of the same frame");
 
+  // What is interpolated only when it is asked for is that of the frame, not of later settings.
+  const int downsampling = view.Pass->GetDownsampling();
+  for (int denoiser :
+    { vtkScreenSpaceAmbientOcclusionPass::EdgeAware, vtkScreenSpaceAmbientOcclusionPass::None })
+  {
+    view.Window->Render();
+    view.Pass->SetDownsampling(downsampling % 4 + 1);
+    view.Pass->SetDenoiser(denoiser);
+    test.Expect(Kept(test, view) == first, what + "V of the frame before other settings");
+    view.Pass->SetDownsampling(downsampling);
+    view.Pass->SetDenoiserToEdgeAware();
+  }
+
   // Whatever V depends on brings a new estimate, the same as a pass without a past gives.
   const std::vector<std::pair<std::string, std::function<void()>>> changes = {
     { "camera", [&] { view.Renderer->GetActiveCamera()->Azimuth(10.0); } },
