@@ -196,18 +196,11 @@ PassPointer Ordered()
   pass->SetTranslucentPass(Make<vtkTranslucentPass>());
   return pass;
 }
+template <typename Pass> // vtkDepthPeelingPass or vtkDualDepthPeelingPass, which derives from it
 PassPointer Peeled(int peels)
 {
-  const PassPointer kept = Ordered<vtkDepthPeelingPass>();
+  const PassPointer kept = Ordered<Pass>();
   auto* pass = vtkDepthPeelingPass::SafeDownCast(kept);
-  pass->SetMaximumNumberOfPeels(peels);
-  pass->SetOcclusionRatio(0.0);
-  return kept;
-}
-PassPointer DualPeeled(int peels)
-{
-  const PassPointer kept = Ordered<vtkDualDepthPeelingPass>();
-  auto* pass = vtkDualDepthPeelingPass::SafeDownCast(kept);
   pass->SetMaximumNumberOfPeels(peels);
   pass->SetOcclusionRatio(0.0);
   return kept;
@@ -237,8 +230,8 @@ void CheckTranslucentPasses(Report& report)
     const char* Name;
     std::function<PassPointer()> New;
   } kinds[] = { { "as they come", [] { return PassPointer(Make<vtkTranslucentPass>()); } },
-    { "depth peeling", [] { return Peeled(8); } },
-    { "dual depth peeling", [] { return DualPeeled(8); } },
+    { "depth peeling", [] { return Peeled<vtkDepthPeelingPass>(8); } },
+    { "dual depth peeling", [] { return Peeled<vtkDualDepthPeelingPass>(8); } },
     { "order-independent", [] { return Ordered<vtkOrderIndependentTranslucentPass>(); } } };
   const auto chain = [](vtkRenderPass* opaque, vtkRenderPass* translucent)
   {

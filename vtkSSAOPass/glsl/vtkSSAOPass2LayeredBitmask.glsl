@@ -63,7 +63,6 @@ struct SsaoSide
   int hidden;             // sectors, as bits
   vec3 first;             // the arcs of the sample before
   vec3 second;
-  vec3 third;
 };
 
 SsaoSide ssaoSide(vec2 reach, float lowest, float normalCosine, float normalSine, float centerDepth)
@@ -78,7 +77,6 @@ SsaoSide ssaoSide(vec2 reach, float lowest, float normalCosine, float normalSine
   // At first the surface itself, on the horizon.
   side.first = vec3(centerDepth, lowest, lowest);
   side.second = vec3(float(-1.0e30), lowest, lowest);
-  side.third = side.second;
   return side;
 }
 

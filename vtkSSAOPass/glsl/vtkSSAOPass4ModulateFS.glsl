@@ -4,7 +4,6 @@
 
 // Stage 4: what is to be taken from the picture, in its own encoding: blending subtracts it. Or, with
 // SSAO_ALL_OCCLUDABLE, the visibility, with which blending multiplies the picture.
-
 // With SSAO_INTERPOLATED the visibility of one pixel of each square is known, and interpolated here.
 
 //SSAO::Functions
@@ -34,8 +33,8 @@ uniform sampler2D lit;
 void main()
 {
   vec2 place = gl_FragCoord.xy * texelSize;
-#if defined(SSAO_INTERPOLATED)
   vec4 center = textureLod(geometry, place, 0.0);
+#if defined(SSAO_INTERPOLATED)
   float ambient = ssaoInterpolated(gl_FragCoord.xy, center);
 #else
   float ambient = textureLod(visibility, place, 0.0).x;
@@ -46,12 +45,7 @@ void main()
     discard;
   }
 #if defined(SSAO_ALL_OCCLUDABLE)
-#if defined(SSAO_INTERPOLATED)
-  bool surface = center.x > 0.0;
-#else
-  bool surface = textureLod(geometry, place, 0.0).x > 0.0;
-#endif
-  gl_FragData[0] = vec4(vec3(surface ? v : 1.0), 0.0);
+  gl_FragData[0] = vec4(vec3(center.x > 0.0 ? v : 1.0), 0.0);
 #else
   vec3 taken = (1.0 - v) * SSAO_LIGHT(occludable);
   if (haveLit == 1)
