@@ -12,6 +12,7 @@
 #include "vtkSSAOPass1SolidsFS.h"
 #include "vtkSSAOPassViewFS.h"
 #include "vtkSSAOScopedBlendEquation.h"
+#include "vtkSSAOShaderFunctions.h"
 #include "vtkSSAOView.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
@@ -46,7 +47,7 @@ void vtkSSAOLayerStage::ReleaseGraphicsResources(vtkWindow* window)
   {
     Release(layers, window);
   }
-  Release(this->Gaps, window);
+  Release(this->Changes, window);
   Release(this->Solids, window);
   Release(this->MoreSolids, window);
 }
@@ -54,7 +55,8 @@ void vtkSSAOLayerStage::ReleaseGraphicsResources(vtkWindow* window)
 //------------------------------------------------------------------------------
 unsigned long vtkSSAOLayerStage::GetTextureMemory() const
 {
-  unsigned long bytes = GetBytes(this->Gaps) + GetBytes(this->Solids) + GetBytes(this->MoreSolids);
+  unsigned long bytes =
+    GetBytes(this->Changes) + GetBytes(this->Solids) + GetBytes(this->MoreSolids);
   for (const auto& layers : this->Layers)
   {
     bytes += GetBytes(layers);
@@ -73,15 +75,16 @@ bool vtkSSAOLayerStage::Render(const vtkRenderState* s, const vtkSSAOView& scene
   const vtkSSAOView view = scene.Coarse(reduces ? settings.Downsampling : 1);
   this->PixelOfTexel = view.PixelOfTexel;
   this->Viewport = view.Viewport;
+  this->EvenFacet = 0.0F;
   // Sprites are not seen at other pixels' places, and of several samples per pixel one is known.
   if (!reduces || scene.Samples > 0 || settings.SheetsOnly)
   {
-    this->Gaps = nullptr;
+    this->Changes = nullptr;
   }
   else
   {
     bool gaps = true;
-    if (!this->FindGaps(scene, view, geometry, gaps))
+    if (!this->FindGaps(scene, view, settings.Radius, geometry, gaps))
     {
       return false;
     }
@@ -104,8 +107,8 @@ bool vtkSSAOLayerStage::Render(const vtkRenderState* s, const vtkSSAOView& scene
 }
 
 //------------------------------------------------------------------------------
-bool vtkSSAOLayerStage::FindGaps(
-  const vtkSSAOView& scene, const vtkSSAOView& view, vtkTextureObject* geometry, bool& gaps)
+bool vtkSSAOLayerStage::FindGaps(const vtkSSAOView& scene, const vtkSSAOView& view, double radius,
+  vtkTextureObject* geometry, bool& gaps)
 {
   std::string source = vtkSSAOPass1GapsFS;
   vtkShaderProgram::Substitute(source, "//SSAO::Functions", vtkSSAOPass0Functions);
@@ -120,13 +123,64 @@ bool vtkSSAOLayerStage::FindGaps(
   const glm::vec4 layerPlace(view.PixelOfTexel);
   program->SetUniform4f("layerPlace", &layerPlace[0]);
   program->SetUniformi("geometry", geometry->GetTextureUnit());
-  const bool drawn = this->DrawToTexture(view, 1, this->Gaps);
+  program->SetUniformf("radius", static_cast<float>(radius));
+  const bool drawn = this->DrawToTexture(view, 2, this->Changes);
   geometry->Deactivate();
-  const std::vector<float> values = Download(drawn ? this->Gaps.Get() : nullptr, view.Drawn);
+  const std::vector<float> changes = Download(drawn ? this->Changes.Get() : nullptr, view.Drawn);
   // Where that is not known there may be some.
-  gaps = values.empty() ||
-    std::any_of(values.begin(), values.end(), [](float value) { return value > 0.5F; });
+  gaps = changes.empty();
+  for (std::size_t i = 0; i < changes.size() && !gaps; i += 2)
+  {
+    gaps = changes[i] > 1.5F;
+  }
+  this->FindUneven(view, changes);
   return drawn;
+}
+
+//------------------------------------------------------------------------------
+void vtkSSAOLayerStage::FindUneven(const vtkSSAOView& view, const std::vector<float>& changes)
+{
+  // The facet that more than a half of the surfaces' texels show, if there is one (after Boyer,
+  // Moore, "MJRTY", 1981): in scenes without such a plane there is little to save.
+  float facet = 0.0F;
+  int votes = 0;
+  for (std::size_t i = 1; i < changes.size(); i += 2)
+  {
+    const float shown = changes[i];
+    facet = votes == 0 && shown != 0.0F ? shown : facet;
+    votes += shown == 0.0F ? 0 : (shown == facet ? 1 : -1);
+  }
+  if (votes == 0)
+  {
+    return;
+  }
+  const glm::vec3 normal = shader::ssaoUnpackFacet(facet);
+  constexpr int nowhere = 1000000000;
+  glm::ivec2 first(nowhere);
+  glm::ivec2 end(-nowhere);
+  for (int y = 0; y < view.Drawn.w; ++y)
+  {
+    for (int x = 0; x < view.Drawn.z; ++x)
+    {
+      const float* change = &changes[2 * (std::size_t(y) * view.Drawn.z + x)];
+      // What a facet is packed to differs by 0.0007 at most on one plane.
+      const bool even = change[0] < 0.5F &&
+        (change[1] == facet ||
+          (change[1] * facet > 0.0F &&
+            glm::length(shader::ssaoUnpackFacet(change[1]) - normal) < 0.002F));
+      if (!even)
+      {
+        first = glm::min(first, glm::ivec2(x, y));
+        end = glm::max(end, glm::ivec2(x, y) + 1);
+      }
+    }
+  }
+  this->EvenFacet = facet;
+  const glm::dvec2 corner = glm::dvec2(view.Drawn) + 0.5;
+  const glm::dvec2 edge(view.PixelOfTexel);
+  const glm::dvec2 place(view.PixelOfTexel.z, view.PixelOfTexel.w);
+  this->Uneven = glm::vec4(
+    edge * (corner + glm::dvec2(first)) + place, edge * (corner + glm::dvec2(end)) + place);
 }
 
 //------------------------------------------------------------------------------

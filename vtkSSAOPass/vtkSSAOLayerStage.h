@@ -19,6 +19,7 @@
 #include <glm/vec4.hpp>
 
 #include <array>
+#include <vector>
 
 class vtkRenderState;
 class vtkSSAOCapturePass;
@@ -70,15 +71,25 @@ public:
   const glm::vec4& GetPixelOfTexel() const { return this->PixelOfTexel; }
   const glm::ivec4& GetViewport() const { return this->Viewport; }
 
+  /**
+   * What is known of where nothing is in reach: outside of a rectangle in pixels (x, y, end of x,
+   * end of y) all texels go on as one plane, where their packed facet normal is this one. 0 if it
+   * is not known.
+   */
+  const glm::vec4& GetUneven() const { return this->Uneven; }
+  float GetEvenFacet() const { return this->EvenFacet; }
+
   void ReleaseGraphicsResources(vtkWindow* window) override;
   unsigned long GetTextureMemory() const override;
 
 private:
   /**
-   * Whether a surface ends before another one, so that layers may matter. False on failure.
+   * Whether a surface ends before another one, so that layers may matter, and where all is one
+   * plane. False on failure.
    */
-  bool FindGaps(
-    const vtkSSAOView& scene, const vtkSSAOView& view, vtkTextureObject* geometry, bool& gaps);
+  bool FindGaps(const vtkSSAOView& scene, const vtkSSAOView& view, double radius,
+    vtkTextureObject* geometry, bool& gaps);
+  void FindUneven(const vtkSSAOView& view, const std::vector<float>& changes);
 
   bool DrawRound(const vtkRenderState* s, const vtkSSAOView& view, vtkSSAOCapturePass* capture,
     const vtkSSAOLayerSettings& settings, int round, vtkTextureObject* before);
@@ -87,13 +98,15 @@ private:
 
   static constexpr int MostRounds = (MostLayers - 1) / 4;
   std::array<vtkSmartPointer<vtkTextureObject>, MostRounds> Layers;
-  vtkSmartPointer<vtkTextureObject> Gaps; // 1 where a surface ends before another one
+  vtkSmartPointer<vtkTextureObject> Changes; // see glsl/vtkSSAOPass1GapsFS.glsl
   vtkSmartPointer<vtkTextureObject> Solids;
   vtkSmartPointer<vtkTextureObject> MoreSolids;
   vtkNew<vtkOpenGLFramebufferObject> LayerFramebuffer;
   int Rounds = 0;
   glm::vec4 PixelOfTexel = glm::vec4(1.0F, 1.0F, 0.0F, 0.0F);
   glm::ivec4 Viewport = glm::ivec4(0);
+  glm::vec4 Uneven = glm::vec4(0.0F);
+  float EvenFacet = 0.0F;
 };
 
 #endif

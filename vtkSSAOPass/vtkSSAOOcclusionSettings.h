@@ -90,6 +90,12 @@ struct vtkSSAOOcclusionSettings
   }
 
   /**
+   * Pixels that the radius must cover for samples to be taken: those of slices are 1.3 pixels off
+   * at least.
+   */
+  double LeastReach() const { return this->UsesSlices() ? 1.3 : 0.0; }
+
+  /**
    * The random numbers of the pixels, see vtkSSAONoiseTile. For slices the angle is that of the
    * first of them, which saves the shader its sines.
    */

@@ -86,7 +86,8 @@ void SetUniforms(vtkShaderProgram* program, const vtkSSAOOcclusionSettings& sett
   program->SetUniformf("falloffExponent", static_cast<float>(1.0 / settings.Attenuation));
   program->SetUniformi("falloff", settings.Falloff);
   program->SetUniformi("allDirections", settings.Directions);
-  program->SetUniformi("steps", settings.Steps);
+  program->SetUniformi("allSteps", settings.Steps);
+  program->SetUniformf("leastReach", static_cast<float>(settings.LeastReach()));
   const double angle = glm::radians(settings.AngleBias);
   const float angleBias[2] = { static_cast<float>(std::cos(angle)),
     static_cast<float>(std::sin(angle)) };
@@ -173,6 +174,12 @@ bool vtkSSAOOcclusionStage::Render(const vtkSSAOView& view,
     program->SetUniformi("moreSolids", layers.GetMoreSolids()->GetTextureUnit());
     program->SetUniform4f("solidsPlace", &layers.GetPixelOfTexel()[0]);
     program->SetUniform2f("solidsTexelSize", texelSize);
+    program->SetUniform4f("uneven", &layers.GetUneven()[0]);
+    program->SetUniformf("evenFacet", layers.GetEvenFacet());
+  }
+  else
+  {
+    program->SetUniformf("evenFacet", 0.0F);
   }
   const bool drawn = this->DrawToOutput(view.Coarse(settings.Downsampling), 4);
   for (vtkTextureObject* input : inputs)

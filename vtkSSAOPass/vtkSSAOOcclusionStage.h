@@ -16,8 +16,8 @@ class vtkSSAOOcclusionStage : public vtkSSAOFullScreenStage
 {
 public:
   /**
-   * Draws V, depth and certainty to the output texture: 1 open, 0 closed, 1 and depth 0 where
-   * there is no surface.
+   * Draws V, depth, certainty and whether samples were taken to the output texture: V is 1 open, 0
+   * closed, 1 and depth 0 where there is no surface.
    * geometry has one sample per pixel; layers is drawn if the estimator looks behind it.
    * False on failure.
    */

@@ -735,6 +735,24 @@ int vtkScreenSpaceAmbientOcclusionPass::GetNumberOfEstimatedPixels() const
 }
 
 //------------------------------------------------------------------------------
+int vtkScreenSpaceAmbientOcclusionPass::GetNumberOfSampledPixels() const
+{
+  const Pipeline& stages = *this->Stages;
+  if (this->GetNumberOfEstimatedPixels() == 0)
+  {
+    return 0;
+  }
+  const std::vector<float> values =
+    vtkSSAOFullScreenStage::Download(stages.Occlusion.GetOutput(), stages.Estimated);
+  int pixels = 0;
+  for (std::size_t i = 3; i < values.size(); i += 4)
+  {
+    pixels += values[i] > 0.5F ? 1 : 0;
+  }
+  return pixels;
+}
+
+//------------------------------------------------------------------------------
 int vtkScreenSpaceAmbientOcclusionPass::GetNumberOfLayerDrawings() const
 {
   return this->Stages->HasSolids && !this->Stages->Reused ? this->Stages->Layers.GetNumberOfRounds()

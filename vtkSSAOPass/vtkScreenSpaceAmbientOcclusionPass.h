@@ -504,10 +504,15 @@ public:
    * with the denoisers None and EdgeAware those of the rectangle that the opaque props cover on the
    * screen, over the square of Downsampling; 0 if no visibility was needed, or if that of the frame
    * before was used again, because neither scene, camera nor settings have changed since.
+   * GetNumberOfSampledPixels: for how many of these samples were taken: not where there is no
+   * surface, where ExactHorizon's or LayeredBitmask's radius covers less than 1.3 pixels, nor, with
+   * LayeredBitmask, where all that is in reach is proven to be the one plane that the pixel shows.
+   * It is counted when it is asked for, which takes some milliseconds.
    * GetNumberOfLayerDrawings: how often the opaque props were drawn once more for the layers behind
    * the first.
    */
   int GetNumberOfEstimatedPixels() const;
+  int GetNumberOfSampledPixels() const;
   int GetNumberOfLayerDrawings() const;
   ///@}
 

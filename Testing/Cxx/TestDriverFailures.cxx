@@ -119,7 +119,7 @@ int TestDriverFailures(int, char*[])
     };
     const auto balanced = [](AOPass*) {};
     Check(report, "capture shader", 0, balanced, breakShaders("ssaoOccludableWeights"));
-    Check(report, "gaps shader", 0, balanced, breakShaders("ssaoAreApart"));
+    Check(report, "gaps shader", 0, balanced, breakShaders("ssaoChange"));
     Check(report, "layers shader", 0, balanced, breakShaders("ssaoLayersBefore"));
     Check(report, "solids shader", 0, balanced, breakShaders("sheetsOnly"));
     Check(

@@ -2,13 +2,16 @@
 
 // Work that changes nothing is not done, and leaving it out changes nothing: an unchanged frame
 // keeps its visibility, pixels without surfaces are not estimated, layers are drawn for the
-// estimator that looks at them only, and light that is the whole colour is not captured.
+// estimator that looks at them only, no sample is taken where the radius covers less than 1.3
+// pixels or only one plane, and light that is the whole colour is not captured.
 
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
 #include "vtkCamera.h"
+#include "vtkCubeSource.h"
 #include "vtkImageData.h"
 #include "vtkMapper.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPlane.h"
 #include "vtkPolyData.h"
@@ -185,6 +188,122 @@ void TestGaps(vtkSSAOTestMonitor& test, int preset, bool parallel)
 }
 
 //------------------------------------------------------------------------------
+// A radius that covers less than 1.3 pixels costs no samples and no layers; where it covers a
+// little more there is next to nothing to see yet.
+void TestTinyRadius(vtkSSAOTestMonitor& test, int preset, bool parallel)
+{
+  const std::string what = std::string(vtkSSAOTestView::GetPresetName(preset)) +
+    (parallel ? ", parallel: " : ", perspective: ");
+  vtkSSAOTestView view(test, 160, 120);
+  vtkSSAOAddStillLife(view);
+  vtkSSAOLookAtStillLife(view, parallel);
+  view.SetPreset(preset);
+  // Of the nearest surface, for which the radius covers the most.
+  vtkCamera* camera = view.Renderer->GetActiveCamera();
+  const double half = std::tan(vtkMath::RadiansFromDegrees(0.5 * camera->GetViewAngle()));
+  view.Visibility();
+  const vtkSSAOTestImage depth = view.Depth();
+  double nearest = 1.0e30;
+  for (const float value : depth.Values)
+  {
+    nearest = value > 0.0F ? std::min(nearest, double(value)) : nearest;
+  }
+  const double pixel = (parallel ? camera->GetParallelScale() : half * nearest) / 60.0;
+
+  // Away from the middle of the picture a ray is longer, by up to a fifteenth here.
+  view.Pass->SetRadius(1.2 * pixel);
+  const vtkSSAOTestImage none = view.Visibility();
+  test.ExpectEqual(view.Pass->GetNumberOfSampledPixels(), 0, what + "sampled pixels, 1.2 pixels");
+  // Means of ones are rounded.
+  test.ExpectAtLeast(
+    view.MeasureSurfaces(none).Minimum, 1.0 - 1.0e-6, what + "smallest V, 1.2 pixels");
+  view.Pass->SetRadius(0.9 * pixel);
+  view.Visibility();
+  test.ExpectEqual(
+    view.Pass->GetNumberOfLayerDrawings(), 0, what + "drawings of layers, 0.9 pixels");
+
+  view.Pass->SetRadius(2.0 * pixel);
+  const vtkSSAOTestImage some = view.Visibility();
+  test.Expect(view.Pass->GetNumberOfSampledPixels() > 0, what + "there are samples at 2 pixels");
+  // What the samples of a smaller radius could have told is less than this.
+  test.ExpectAtLeast(
+    view.MeasureSurfaces(some).Mean, 1.0 - 1.0 / 255.0, what + "mean V at 2 pixels");
+}
+
+//------------------------------------------------------------------------------
+// A step on a floor that fills the picture. Far from it the floor is all that is in reach.
+void TestOnePlane(vtkSSAOTestMonitor& test, int preset, bool parallel)
+{
+  const std::string what = std::string(vtkSSAOTestView::GetPresetName(preset)) +
+    (parallel ? ", parallel: " : ", perspective: ");
+  const bool proves = preset > 0; // Fast does not look for layers
+  const auto fill = [&](vtkSSAOTestView& view)
+  {
+    vtkSSAOAddFloor(view);
+    parallel ? view.LookParallel({ 2, 9, 7 }, { 0, 0, 0 }, { 0, 1, 0 }, 3.0)
+             : view.Look({ 2, 9, 7 }, { 0, 0, 0 }, { 0, 1, 0 });
+    view.SetPreset(preset);
+    view.Pass->SetRadius(0.6);
+  };
+  vtkSSAOTestView floor(test, 240, 180);
+  fill(floor);
+  const vtkSSAOTestImage open = floor.Visibility();
+  const int all = floor.Pass->GetNumberOfEstimatedPixels();
+  test.ExpectEqual(floor.Pass->GetNumberOfSampledPixels(), proves ? 0 : all,
+    what + "sampled pixels of a floor alone");
+  test.ExpectAtLeast(floor.MeasureSurfaces(open).Minimum, 0.998, what + "smallest V of it");
+
+  vtkSSAOTestView view(test, 240, 180);
+  fill(view);
+  vtkNew<vtkCubeSource> step;
+  step->SetBounds(-0.7, 0.3, -0.5, 0.4, -0.5, 0.5);
+  view.Add(step);
+  const vtkSSAOTestImage partly = view.Visibility();
+  const int sampled = view.Pass->GetNumberOfSampledPixels();
+  test.ExpectAtMost(view.MeasureSurfaces(partly).Minimum, 0.8, what + "smallest V at a step");
+  if (proves)
+  {
+    test.ExpectAtMost(sampled, 0.6 * all, what + "sampled pixels about a step");
+  }
+  else
+  {
+    test.ExpectEqual(sampled, all, what + "sampled pixels about a step");
+  }
+
+  // Specks in two corners, and nothing is proven any more. They are too small to matter elsewhere.
+  for (double side : { -1.0, 1.0 })
+  {
+    vtkNew<vtkSphereSource> speck;
+    speck->SetRadius(0.12);
+    // The point of the floor there.
+    double ends[2][3];
+    for (int end = 0; end < 2; ++end)
+    {
+      view.Renderer->SetViewPoint(0.98 * side, 0.98 * side, end == 0 ? -0.5 : 0.5);
+      view.Renderer->ViewToWorld();
+      view.Renderer->GetViewPoint(ends[end]);
+      view.Renderer->ViewToWorld(ends[end][0], ends[end][1], ends[end][2]);
+    }
+    const double share = ends[0][1] / (ends[0][1] - ends[1][1]);
+    speck->SetCenter(ends[0][0] + share * (ends[1][0] - ends[0][0]), 0.0,
+      ends[0][2] + share * (ends[1][2] - ends[0][2]));
+    view.Add(speck);
+  }
+  const vtkSSAOTestImage wholly = view.Visibility();
+  test.ExpectAtLeast(
+    view.Pass->GetNumberOfSampledPixels(), 0.98 * all, what + "sampled pixels with two specks");
+  double largest = 0.0;
+  for (int y = 45; y < 135; ++y) // the specks and their radius are outside
+  {
+    for (int x = 60; x < 180; ++x)
+    {
+      largest = std::max(largest, std::abs(double(wholly.At(x, y)) - double(partly.At(x, y))));
+    }
+  }
+  test.ExpectAtMost(255.0 * largest, 1.0, what + "largest difference of V, in 1/255");
+}
+
+//------------------------------------------------------------------------------
 // A highlight too weak to be seen: what may be occluded is no more the whole colour, but looks
 // alike.
 void TestCapturedLight(vtkSSAOTestMonitor& test)
@@ -226,6 +345,11 @@ int TestOnlyWhatIsNeeded(int, char*[])
     TestEmptyScreen(test, preset);
     TestGaps(test, preset, false);
     TestGaps(test, preset, true);
+    for (bool parallel : { false, true })
+    {
+      TestTinyRadius(test, preset, parallel);
+      TestOnePlane(test, preset, parallel);
+    }
   }
 
   TestCapturedLight(test);

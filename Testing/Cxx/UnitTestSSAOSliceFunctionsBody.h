@@ -327,6 +327,44 @@ inline void TestRays(vtkSSAOTestMonitor& test, const std::string& what)
 }
 
 //------------------------------------------------------------------------------
+// What a radius covers at most bounds the traces of all slices, and some slice comes near it.
+inline void TestLargestReach(vtkSSAOTestMonitor& test, const std::string& what)
+{
+  const vec4 pixelToRay(Scalar(0.004), 0, 0, Scalar(0.004));
+  const vec4 rayToPixel(250, 0, 0, 250);
+  for (double perspective : { 0.0, 1.0 })
+  {
+    double beyond = 0.0;
+    double unreached = 0.0;
+    for (const vec2& ray : { vec2(0), vec2(Scalar(0.4), 0), vec2(Scalar(-1.2), Scalar(0.9)) })
+    {
+      const Scalar depth = 3;
+      const vec3 positionVC(ray.x * depth, ray.y * depth, -depth);
+      const Frame frame(ssaoTowardsViewer(positionVC, Scalar(perspective)));
+      double longest = 0.0;
+      for (int i = 0; i < 360; ++i)
+      {
+        const SsaoSlice slice = ssaoSlice(
+          frame.across, frame.up, frame.viewer, frame.viewer, frame.viewer, Turn(i * Pi / 180.0));
+        const vec2 trace =
+          ssaoTrace(slice, positionVC, rayToPixel, Scalar(perspective)) * Scalar(0.7);
+        longest = std::max(longest, double(length(trace)));
+      }
+      const vec2 direction = ssaoRayThrough(
+        ssaoTransform2(rayToPixel, ray), pixelToRay, vec4(0), vec2(0), Scalar(perspective));
+      const double largest =
+        ssaoLargestReach(Scalar(0.7), depth, direction, rayToPixel, Scalar(perspective));
+      beyond = std::max(beyond, longest / largest - 1.0);
+      unreached = std::max(unreached, 1.0 - longest / largest);
+    }
+    test.ExpectAtMost(
+      beyond, 8 * Epsilon, what + "share by which a trace is longer than the bound");
+    // Half a degree off the longest at most.
+    test.ExpectAtMost(unreached, 0.0002, what + "share by which the longest trace is shorter");
+  }
+}
+
+//------------------------------------------------------------------------------
 inline void TestSampleShare(vtkSSAOTestMonitor& test, const std::string& what)
 {
   bool rises = true;
@@ -597,6 +635,7 @@ inline void TestAll(vtkSSAOTestMonitor& test, const std::string& what)
   TestSlices(test, what);
   TestCorner(test, what);
   TestRays(test, what);
+  TestLargestReach(test, what);
   TestSampleShare(test, what);
   TestShareInside(test, what);
   TestSolids(test, what);

@@ -36,7 +36,7 @@ mutations()
   m samples-8-for-64 "$stage" \
     's/SetUniformi("samplesInKernel", settings\.KernelSize)/SetUniformi("samplesInKernel", (settings.KernelSize + 7) \/ 8)/' \
     'an eighth of the samples of a kernel'
-  m half-the-steps "$stage" 's/SetUniformi("steps", settings\.Steps)/SetUniformi("steps", (settings.Steps + 1) \/ 2)/' \
+  m half-the-steps "$stage" 's/SetUniformi("allSteps", settings\.Steps)/SetUniformi("allSteps", (settings.Steps + 1) \/ 2)/' \
     'half of the samples of a slice'
   m bias-times-10 "$stage" 's/SetUniformf("bias", /&10.0F * /' \
     'ten times the bias'
@@ -192,8 +192,14 @@ mutations()
   m background-captured vtkSSAOCapturePass.cxx \
     's/vtkglClearColor(0\.0F,/vtkglClearColor(5.0F * view.Renderer->GetBackground()[0],/' \
     'the background is a surface as far away as it is red'
-  m gaps-unseen glsl/vtkSSAOPass1GapsFS.glsl 's/off > 3\.0/off > 1.0e9/' \
+  m gaps-unseen glsl/vtkSSAOPass1GapsFS.glsl 's/offOther) > 3\.0/offOther) > 1.0e9/' \
     'layers are drawn only where a surface shows both sides'
+  m tiny-radius-sampled vtkSSAOOcclusionSettings.h 's/? 1\.3 : 0\.0/? 0.0 : 0.0/' \
+    'samples are taken within a pixel'
+  m plane-never-proven vtkSSAOLayerStage.cxx 's/this->EvenFacet = facet;//' \
+    'samples are taken where there is one plane only'
+  m plane-proven-at-edges glsl/vtkSSAOPass2OcclusionFS.glsl 's/ > reach + 2\.0/ > 2.0/' \
+    'no samples are taken next to what rises from a plane'
   m silhouettes-are-sheets glsl/vtkSSAOPass0SliceFunctions.glsl 's/ \&\& !paper;/;/' \
     'front and back that meet at a silhouette are a sheet'
   m sides-wound-twice glsl/vtkSSAOPass1SolidsFS.glsl 's/if (back < none \&\&/if (false \&\&/' \

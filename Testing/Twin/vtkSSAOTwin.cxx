@@ -51,6 +51,8 @@ struct OcclusionShader
   int falloff;
   int directions;
   int steps;
+  int allSteps;
+  float leastReach;
   vec2 angleBias;
   vec2 sliceTurn;
   float ssaoCertainty = 1.0;
@@ -171,6 +173,11 @@ std::vector<double> Draw(const OcclusionShader& uniforms, int width, int height,
         const vec2 pixel(x + 0.5, y + 0.5);
         const std::size_t index = static_cast<std::size_t>(y) * width + x;
         const glm::vec4& center = (*uniforms.geometry)[index];
+        const vec2 ray = shader.ssaoRayThrough(
+          pixel, shader.pixelToRay, shader.rayOffset, shader.depthSlope, shader.perspective);
+        const double reach = shader.ssaoLargestReach(
+          shader.radius, center.x, ray, shader.rayToPixel, shader.perspective);
+        shader.steps = reach >= shader.leastReach ? shader.allSteps : 0;
         visibility[index] =
           center.x > 0.0F ? shader.ssaoVisibility(pixel + shift, vec4(center)) : 1.0;
       }
@@ -264,7 +271,8 @@ std::vector<double> vtkSSAOTwin::Visibility(
   uniforms.falloffExponent = 1.0 / settings.Attenuation;
   uniforms.falloff = settings.Falloff;
   uniforms.directions = settings.Directions;
-  uniforms.steps = settings.Steps;
+  uniforms.allSteps = settings.Steps;
+  uniforms.leastReach = settings.LeastReach();
   uniforms.angleBias = glm::dvec2(std::cos(angle), std::sin(angle));
   uniforms.sliceTurn = glm::dvec2(std::cos(settings.SliceAngle()), std::sin(settings.SliceAngle()));
   uniforms.sheet = settings.Sheet;

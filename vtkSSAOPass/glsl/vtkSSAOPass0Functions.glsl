@@ -88,6 +88,25 @@ vec3 ssaoPositionVC(
   return vec3(xy.x, xy.y, -depth);
 }
 
+// Direction of a pixel's ray, (x, y, -1), its x and y. Parameters as in ssaoPositionVC.
+vec2 ssaoRayThrough(
+  vec2 pixel, vec4 pixelToRay, vec4 rayOffset, vec2 depthSlope, float perspective)
+{
+  return (ssaoTransform2(pixelToRay, pixel) + vec2(rayOffset.x, rayOffset.y)) * perspective +
+    depthSlope;
+}
+
+// Pixels that a radius about a point covers, at most, in x or y: a step of that length square to the
+// view direction. radius: world units; depth: the point's; ray: of ssaoRayThrough; rayToPixel as in
+// ssaoPixelOf.
+float ssaoLargestReach(float radius, float depth, vec2 ray, vec4 rayToPixel, float perspective)
+{
+  float scale = perspective * depth + (float(1.0) - perspective);
+  float squaredPixels = max(rayToPixel.x * rayToPixel.x + rayToPixel.y * rayToPixel.y,
+    rayToPixel.z * rayToPixel.z + rayToPixel.w * rayToPixel.w);
+  return radius * sqrt(squaredPixels * (float(1.0) + perspective * dot(ray, ray))) / scale;
+}
+
 // Pixel that shows a point in VC: the inverse of ssaoPositionVC. rayToPixel is the inverse of
 // pixelToRay. The point must lie in front of the eye in perspective.
 vec2 ssaoPixelOf(vec3 positionVC, vec4 rayToPixel, vec4 rayOffset, vec2 depthSlope, float perspective)
@@ -202,8 +221,7 @@ SsaoPlane ssaoPlaneThrough(vec3 facet, vec2 pixel, float depth, vec4 pixelToRay,
   float footprint = length(vec2(pixelToRay.x, pixelToRay.z)) *
     (perspective * depth + (float(1.0) - perspective));
   float perHalfFootprint = float(2.0) / max(footprint, float(1.0e-30));
-  vec2 ray = (ssaoTransform2(pixelToRay, pixel) + vec2(rayOffset.x, rayOffset.y)) * perspective +
-    depthSlope;
+  vec2 ray = ssaoRayThrough(pixel, pixelToRay, rayOffset, depthSlope, perspective);
   SsaoPlane plane;
   plane.depth = depth;
   plane.ofDepth = (facet.x * ray.x + facet.y * ray.y - facet.z) * perHalfFootprint;

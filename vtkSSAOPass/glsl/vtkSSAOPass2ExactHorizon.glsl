@@ -35,8 +35,7 @@ float ssaoVisibility(vec2 pixel, vec4 center)
 {
   vec3 positionVC =
     ssaoPositionVC(pixel, center.x, pixelToRay, rayOffset, depthSlope, perspective);
-  vec2 centerRay = (ssaoTransform2(pixelToRay, pixel) + vec2(rayOffset.x, rayOffset.y)) * perspective +
-    depthSlope;
+  vec2 centerRay = ssaoRayThrough(pixel, pixelToRay, rayOffset, depthSlope, perspective);
   vec3 normal = ssaoUnpackNormal(center.y);
   vec3 facet = ssaoUnpackFacet(center.z);
   vec3 viewer = ssaoTowardsViewer(positionVC, perspective);

@@ -1,7 +1,8 @@
 //VTK::System::Dec
 //VTK::Output::Dec
 
-// Stage 2: geometry to (raw ambient visibility, depth, certainty); the latter are for the denoiser.
+// Stage 2: geometry to (raw ambient visibility, depth, certainty, 1 if samples were taken). The second
+// and third are for the denoiser, the last is counted.
 
 //SSAO::Functions
 //SSAO::View
@@ -15,7 +16,10 @@ uniform float minimumDifference; // ReflectedHemisphere: share of the radius
 uniform float falloffExponent;   // ReflectedHemisphere
 uniform int falloff;             // ReflectedHemisphere: FalloffType of the public class
 uniform int allDirections;       // HorizonAngle; ExactHorizon, LayeredBitmask: slices
-uniform int steps;               // of these: samples for each direction or side of a slice
+uniform int allSteps;            // of these: samples for each direction or side of a slice
+uniform float leastReach;        // ExactHorizon, LayeredBitmask: pixels that the radius must cover
+uniform vec4 uneven;             // LayeredBitmask: (x, y, end of x, end of y): all other texels show ...
+uniform float evenFacet;         // ... planes with this packed facet normal; 0: not known
 uniform vec2 angleBias;          // HorizonAngle: (cos, sin)
 uniform sampler2D solids;        // LayeredBitmask: (front, back, front, back) of each ray's stretches
 uniform sampler2D moreSolids;    // LayeredBitmask: the third and fourth stretch
@@ -62,8 +66,20 @@ float ssaoCertainty = 1.0;
 // rasterisers leave a loop that no pixel is in, but run both sides of a branch.
 int kernelSize = 0;
 int directions = 0;
+int steps = 0;
 
 //SSAO::Estimator
+
+// Whether samples may tell something: the radius covers enough pixels, and within it not all is the one
+// plane that the pixel shows.
+bool ssaoNeedsSamples(vec2 pixel, vec4 center)
+{
+  vec2 ray = ssaoRayThrough(pixel, pixelToRay, rayOffset, depthSlope, perspective);
+  float reach = ssaoLargestReach(radius, center.x, ray, rayToPixel, perspective);
+  vec2 away = max(uneven.xy - pixel, pixel - uneven.zw);
+  bool isEven = max(away.x, away.y) > reach + 2.0 * solidsPlace.x;
+  return center.x > 0.0 && reach >= leastReach && !(isEven && center.z == evenFacet);
+}
 
 void main()
 {
@@ -73,6 +89,7 @@ void main()
   vec4 center = ssaoGeometryAt(pixel);
   kernelSize = center.x > 0.0 ? samplesInKernel : 0;
   directions = center.x > 0.0 ? allDirections : 0;
+  steps = ssaoNeedsSamples(pixel, center) ? allSteps : 0;
   float visibility = center.x > 0.0 ? ssaoVisibility(pixel, center) : 1.0;
-  gl_FragData[0] = vec4(visibility, center.x, ssaoCertainty, 1.0);
+  gl_FragData[0] = vec4(visibility, center.x, ssaoCertainty, steps > 0 ? 1.0 : 0.0);
 }
