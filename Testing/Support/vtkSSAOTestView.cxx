@@ -152,6 +152,7 @@ void vtkSSAOTestView::Render()
   {
     this->Watched = true;
     this->Monitor.Watch(this->Window);
+    this->Pass->Modified();
     this->Window->Render();
   }
 }
