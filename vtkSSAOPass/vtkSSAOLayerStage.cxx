@@ -140,17 +140,29 @@ bool vtkSSAOLayerStage::FindGaps(const vtkSSAOView& scene, const vtkSSAOView& vi
 //------------------------------------------------------------------------------
 void vtkSSAOLayerStage::FindUneven(const vtkSSAOView& view, const std::vector<float>& changes)
 {
-  // The facet that more than a half of the surfaces' texels show, if there is one (after Boyer,
-  // Moore, "MJRTY", 1981): in scenes without such a plane there is little to save.
+  const std::size_t texels = std::size_t(view.Drawn.z) * view.Drawn.w;
+  if (changes.size() != 2 * texels)
+  {
+    return;
+  }
+  // The facet that more than a half of the surfaces' texels show (after Boyer, Moore, "MJRTY",
+  // 1981), if there is one: in scenes without such a plane there is little to save.
   float facet = 0.0F;
   int votes = 0;
+  std::size_t surfaces = 0;
   for (std::size_t i = 1; i < changes.size(); i += 2)
   {
     const float shown = changes[i];
     facet = votes == 0 && shown != 0.0F ? shown : facet;
     votes += shown == 0.0F ? 0 : (shown == facet ? 1 : -1);
+    surfaces += shown == 0.0F ? 0 : 1;
   }
-  if (votes == 0)
+  std::size_t equal = 0;
+  for (std::size_t i = 1; i < changes.size(); i += 2)
+  {
+    equal += changes[i] == facet ? 1 : 0;
+  }
+  if (surfaces == 0 || 2 * equal <= surfaces)
   {
     return;
   }
