@@ -282,14 +282,11 @@ void TestOnePlane(vtkSSAOTestMonitor& test, int preset, bool parallel)
   {
     vtkNew<vtkSphereSource> speck;
     speck->SetRadius(0.2);
-    // The point of the floor there.
-    double ends[2][3];
-    for (int end = 0; end < 2; ++end)
+    // Where the floor is seen there: on the line between two points of the view's depth.
+    double ends[2][3] = { { 0.98 * side, 0.98 * side, -0.5 }, { 0.98 * side, 0.98 * side, 0.5 } };
+    for (double(&end)[3] : ends)
     {
-      view.Renderer->SetViewPoint(0.98 * side, 0.98 * side, end == 0 ? -0.5 : 0.5);
-      view.Renderer->ViewToWorld();
-      view.Renderer->GetViewPoint(ends[end]);
-      view.Renderer->ViewToWorld(ends[end][0], ends[end][1], ends[end][2]);
+      view.Renderer->ViewToWorld(end[0], end[1], end[2]);
     }
     const double share = ends[0][1] / (ends[0][1] - ends[1][1]);
     speck->SetCenter(ends[0][0] + share * (ends[1][0] - ends[0][0]), 0.0,
