@@ -17,7 +17,6 @@
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
-#include <algorithm>
 #include <string>
 #include <vector>
 

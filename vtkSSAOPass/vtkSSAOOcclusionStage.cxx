@@ -177,10 +177,6 @@ bool vtkSSAOOcclusionStage::Render(const vtkSSAOView& view,
     program->SetUniform4f("uneven", &layers.GetUneven()[0]);
     program->SetUniformf("evenFacet", layers.GetEvenFacet());
   }
-  else
-  {
-    program->SetUniformf("evenFacet", 0.0F);
-  }
   const bool drawn = this->DrawToOutput(view.Coarse(settings.Downsampling), 4);
   for (vtkTextureObject* input : inputs)
   {

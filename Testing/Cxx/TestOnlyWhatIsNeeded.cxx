@@ -26,6 +26,7 @@
 #include "vtkSphereSource.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 
@@ -40,6 +41,22 @@ vtkSSAOTestImage Kept(vtkSSAOTestMonitor& test, vtkSSAOTestView& view)
   const auto* first = static_cast<const float*>(image->GetScalarPointer());
   values.Values.assign(first, first + values.Values.size());
   return values;
+}
+
+//------------------------------------------------------------------------------
+// Over a part of two images. columns, rows: the first and the one after the last.
+double LargestDifference(const vtkSSAOTestImage& one, const vtkSSAOTestImage& other,
+  const std::array<int, 2>& columns, const std::array<int, 2>& rows)
+{
+  double largest = 0.0;
+  for (int y = rows[0]; y < rows[1]; ++y)
+  {
+    for (int x = columns[0]; x < columns[1]; ++x)
+    {
+      largest = std::max(largest, std::abs(double(one.At(x, y)) - double(other.At(x, y))));
+    }
+  }
+  return largest;
 }
 
 //------------------------------------------------------------------------------
@@ -180,14 +197,8 @@ void TestGaps(vtkSSAOTestMonitor& test, int preset, bool parallel)
   const vtkSSAOTestImage with = view.Visibility();
   test.ExpectEqual(view.Pass->GetNumberOfLayerDrawings(), preset == 0 ? 0 : 1,
     what + "drawings of layers with a gap");
-  double largest = 0.0;
-  for (int y = 0; y < 150; ++y)
-  {
-    for (int x = 0; x < 120; ++x) // the square and its radius are to the right
-    {
-      largest = std::max(largest, std::abs(double(with.At(x, y)) - double(without.At(x, y))));
-    }
-  }
+  // The square and its radius are to the right.
+  const double largest = LargestDifference(with, without, { 0, 120 }, { 0, 150 });
   // Layers end behind what they enter, and what is seen only begins there: an arc that ends a
   // sector farther on, 1/60 of V in one of 16 pixels.
   test.ExpectAtMost(255.0 * largest, 1.0, what + "largest difference of V, in 1/255");
@@ -208,12 +219,7 @@ void TestTinyRadius(vtkSSAOTestMonitor& test, int preset, bool parallel)
   vtkCamera* camera = view.Renderer->GetActiveCamera();
   const double half = std::tan(vtkMath::RadiansFromDegrees(0.5 * camera->GetViewAngle()));
   view.Visibility();
-  const vtkSSAOTestImage depth = view.Depth();
-  double nearest = 1.0e30;
-  for (const float value : depth.Values)
-  {
-    nearest = value > 0.0F ? std::min(nearest, double(value)) : nearest;
-  }
+  const double nearest = view.MeasureSurfaces(view.Depth()).Minimum;
   const double pixel = (parallel ? camera->GetParallelScale() : half * nearest) / 60.0;
 
   // Away from the middle of the picture a ray is longer, by up to a fifteenth here.
@@ -296,14 +302,8 @@ void TestOnePlane(vtkSSAOTestMonitor& test, int preset, bool parallel)
   const vtkSSAOTestImage wholly = view.Visibility();
   test.ExpectAtLeast(
     view.Pass->GetNumberOfSampledPixels(), 0.98 * all, what + "sampled pixels with two specks");
-  double largest = 0.0;
-  for (int y = 45; y < 135; ++y) // the specks and their radius are outside
-  {
-    for (int x = 60; x < 180; ++x)
-    {
-      largest = std::max(largest, std::abs(double(wholly.At(x, y)) - double(partly.At(x, y))));
-    }
-  }
+  // The specks and their radius are outside.
+  const double largest = LargestDifference(wholly, partly, { 60, 180 }, { 45, 135 });
   test.ExpectAtMost(255.0 * largest, 1.0, what + "largest difference of V, in 1/255");
 }
 
